@@ -1,0 +1,27 @@
+# cleave_room(NAME): one static library from src/NAME/**/*.cpp, linked to the room above it.
+# The room `app` gives the library of everything but main.cpp and the program itself.
+set(CLEAVE_ROOM_ABOVE "" CACHE INTERNAL "")
+
+function(cleave_room name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(sources)
+    add_library(cleave_${name} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(cleave_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(cleave_${name} ${scope} cleave_flags)
+  if(CLEAVE_ROOM_ABOVE)
+    target_link_libraries(cleave_${name} ${scope} cleave_${CLEAVE_ROOM_ABOVE})
+  endif()
+  if(EXISTS ${CMAKE_SOURCE_DIR}/src/${name}/room.cmake)
+    include(${CMAKE_SOURCE_DIR}/src/${name}/room.cmake)  # outside libraries of this room
+  endif()
+  if(EXISTS ${CMAKE_SOURCE_DIR}/src/${name}/main.cpp)
+    add_executable(cleave ${CMAKE_SOURCE_DIR}/src/${name}/main.cpp)
+    target_link_libraries(cleave PRIVATE cleave_${name})
+  endif()
+  set(CLEAVE_ROOM_ABOVE ${name} CACHE INTERNAL "")
+endfunction()

@@ -1,0 +1,1 @@
+target_link_libraries(cleave_base ${scope} TBB::tbb fmt::fmt)

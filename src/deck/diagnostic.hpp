@@ -1,0 +1,52 @@
+#pragma once
+/// What is said to the user about the deck: collected, all at once, in reading order.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cleave::deck {
+
+/// A stretch of text in one of the files of a deck. Lines and columns count from 1; 0 means unknown.
+struct Place {
+  std::int32_t file = -1;  ///< index into Sources
+  std::int32_t line = 0;
+  std::int32_t column = 0;
+  std::int32_t width = 0;
+};
+
+enum class Severity { note, warning, error };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  Place place;
+  std::string keyword;   ///< e.g. "MAT_ELASTIC"; may be empty
+  std::string field;     ///< e.g. "PR"; may be empty
+  std::string message;   ///< what is wrong: text found, what was expected
+  std::string hint;      ///< what to do instead; may be empty
+};
+
+class Sources;
+
+/// Collects diagnostics; sorts by place when printing; caps repeats of one message at a stated number.
+class Diagnostics {
+ public:
+  void add(Diagnostic diagnostic);
+  void error(Place place, std::string keyword, std::string field, std::string message, std::string hint = {});
+  void warning(Place place, std::string keyword, std::string field, std::string message, std::string hint = {});
+  void note(Place place, std::string keyword, std::string field, std::string message, std::string hint = {});
+
+  bool failed() const { return error_count_ > 0; }
+  std::size_t count(Severity severity) const;
+  const std::vector<Diagnostic>& all() const { return all_; }
+
+  /// Text for a person: include chain, file:line:column, keyword, field, the line with the ruler, hint.
+  std::string render(const Sources& sources, bool colour) const;
+
+ private:
+  std::vector<Diagnostic> all_;
+  std::size_t error_count_ = 0;
+};
+
+}  // namespace cleave::deck
