@@ -1,0 +1,110 @@
+#pragma once
+/// What acts on the body: loads, constraints, walls, initial state. All ids are resolved to indices.
+
+#include <string>
+#include <vector>
+
+#include "base/tensor.hpp"
+#include "model/mesh.hpp"
+
+namespace cleave::model {
+
+using Vector = base::Vec3<double>;
+inline constexpr double forever = 1.0e28;
+
+/// Orthonormal axes; rows of `axis` are local x, y, z in global components.
+struct Frame {
+  Vector axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Vector origin = {0, 0, 0};
+};
+
+/// Nodes held in some directions (*BOUNDARY_SPC, *NODE TC, *CONSTRAINED_GLOBAL/LOCAL planes).
+struct FixedNodes {
+  Id id = 0;  ///< of the card (_ID option), 0 none
+  std::string title;
+  std::vector<Index> nodes;
+  unsigned directions = 0;  ///< bit 0 x, 1 y, 2 z translation; bits 3..5 rotation
+  bool local = false;       ///< directions are those of `frame`
+  Frame frame;
+  double birth = 0.0, death = forever;
+};
+
+/// Prescribed translation along one direction (*BOUNDARY_PRESCRIBED_MOTION_NODE/SET).
+struct PrescribedMotion {
+  enum class Kind { velocity, acceleration, displacement };
+  Id id = 0;
+  std::string title;
+  std::vector<Index> nodes;
+  Kind kind = Kind::velocity;
+  Vector direction = {1, 0, 0};  ///< unit vector
+  bool only_direction = true;    ///< false: DOF < 0, motion across the direction is fixed too
+  Index curve = -1;
+  double scale = 1.0;
+  double birth = 0.0, death = forever;
+};
+
+/// A force per node along a direction (*LOAD_NODE).
+struct NodeLoad {
+  std::vector<Index> nodes;
+  Vector direction = {1, 0, 0};
+  bool follower = false;  ///< DOF 4: along the normal of nodes m1 m2 m3
+  Index follow[3] = {-1, -1, -1};
+  Index curve = -1;
+  double scale = 1.0;
+};
+
+/// Pressure on faces, positive into the body (*LOAD_SEGMENT); uniform or along a vector.
+struct SegmentLoad {
+  std::vector<Segment> segments;
+  Index curve = -1;
+  double scale = 1.0;
+  double arrival = 0.0;  ///< AT
+};
+
+/// Acceleration field (*LOAD_BODY): the body feels `-` base acceleration, as the format defines it.
+struct BodyLoad {
+  Vector direction = {0, 0, 1};  ///< unit axis
+  bool rotation = false;         ///< angular velocity about `centre` instead of translation
+  Vector centre = {0, 0, 0};
+  Index curve = -1;
+  double scale = 1.0;
+  std::vector<bool> nodes;  ///< empty: all nodes; else one flag per node
+};
+
+/// *RIGIDWALL_PLANAR with every option; node penetration is stopped kinematically.
+struct RigidWall {
+  Id id = 0;
+  std::string title;
+  std::vector<Index> nodes;  ///< that may not pass
+  Vector origin, normal;     ///< outward unit normal
+  bool finite = false;
+  Vector edge_l{1, 0, 0}, edge_m{0, 1, 0};  ///< unit edges of the finite wall
+  double length_l = 0.0, length_m = 0.0;
+  double friction = 0.0;        ///< Coulomb; 1 sticks completely
+  double velocity_limit = 0.0;  ///< WVEL: below it nodes stick
+  bool orthotropic = false;     ///< _ORTHO is refused at build; kept false
+  double mass = 0.0;            ///< > 0: moving wall
+  double speed = 0.0;           ///< initial, along the normal [length/time]
+  double birth = 0.0, death = forever;
+  int soft_cycles = 0;  ///< _FORCES SOFT: cycles over which the velocity is zeroed
+};
+
+/// Viscous absorbing faces (*BOUNDARY_NON_REFLECTING).
+struct AbsorbingFaces {
+  std::vector<Segment> segments;
+  bool dilatational = true, shear = true;
+};
+
+struct PointMass {
+  Id id = 0;
+  Index node = -1;
+  double mass = 0.0;
+};
+
+struct GlobalDamping {
+  Index curve = -1;    ///< factor over time; -1: constant `value`
+  double value = 0.0;  ///< [1/time]
+  double factor[3] = {1.0, 1.0, 1.0};
+};
+
+}  // namespace cleave::model

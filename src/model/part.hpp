@@ -1,0 +1,46 @@
+#pragma once
+/// Parts: geometry + material + the formulation chosen for it.
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "deck/diagnostic.hpp"
+#include "model/control.hpp"
+#include "model/mesh.hpp"
+
+namespace cleave::model {
+
+class Law;
+
+/// What *SECTION_* says, format neutral: family ("SOLID", "SOLID_EFG", ...), ELFORM and further numbers by
+/// name.
+struct Section {
+  Id id = 0;
+  std::string title;
+  std::string family;
+  int form = 1;
+  std::vector<std::pair<std::string, double>> numbers;
+  deck::Place place;
+
+  double number(std::string_view name, double fallback) const;
+};
+
+struct Part {
+  Id id = 0;
+  std::string title;
+  Section section;                   ///< a copy: small, and spares an index
+  Id material_id = 0, state_id = 0;  ///< MID and EOSID, for printing
+  std::string material_keyword;      ///< canonical, e.g. "MAT_PLASTIC_KINEMATIC"
+  std::shared_ptr<const Law> law;    ///< with its equation of state and erosion criteria inside
+  double density = 0.0;              ///< reference [mass/length^3]
+  Hourglass hourglass;
+  double mass_damping = 0.0;      ///< *DAMPING_PART_MASS value when constant (curve below) [1/time]
+  Index mass_damping_curve = -1;  ///< index into curves, multiplied by mass_damping
+  double mass_damping_factor[3] = {1.0, 1.0, 1.0};
+  double stiffness_damping = 0.0;  ///< *DAMPING_PART_STIFFNESS COEF
+  deck::Place place;
+};
+
+}  // namespace cleave::model

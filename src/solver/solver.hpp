@@ -1,0 +1,93 @@
+#pragma once
+/// What moves the State, and how others may watch.
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "discretisation/world.hpp"
+
+namespace cleave::solver {
+
+/// Force on one rigid wall at t_n, summed over its nodes [force].
+struct WallForce {
+  double normal = 0.0;  ///< along the wall normal, positive pushes the body off
+  double force[3] = {0, 0, 0};
+  double position = 0.0;  ///< of a moving wall along its normal [length]
+  double velocity = 0.0;  ///< of a moving wall along its normal [length/time]
+};
+
+/// Everything an observer may read after a step; valid only during the call.
+struct Frame {
+  const model::Model& model;
+  const discretisation::World& world;
+  const discretisation::State& state;
+  std::span<const double> acceleration;  ///< [node][3] at t_n [length/time^2]
+  std::span<const double> velocity;      ///< [node][3] at t_n: mean of the half steps around it
+  std::span<const double>
+      reaction;  ///< [node][3] constraint force on held nodes (SPC, motion), else 0 [force]
+  std::span<const WallForce> walls;            ///< one per Model::walls
+  discretisation::Id step_element = 0;         ///< controls the step
+  std::span<const discretisation::Id> eroded;  ///< deleted in this step
+};
+
+enum class Ending {
+  end_time,
+  cycle_limit,
+  step_too_small,
+  energy_limit,
+  mass_limit,
+  node_bound,
+  switched_off,
+  signal,
+  physics
+};
+
+/// What a user or the system asks for while the run goes on; checked once per cycle.
+struct Wishes {
+  std::atomic<bool> stop{false};     ///< sw1, SIGINT, SIGTERM: write a restart and end
+  std::atomic<bool> report{false};   ///< sw2: time and cycle numbers, go on
+  std::atomic<bool> restart{false};  ///< sw3: write a restart, go on
+  std::atomic<bool> field{false};    ///< sw4: write a field frame, go on
+};
+
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void begin(const Frame& frame) = 0;  ///< t = 0, or the state restarted from
+  virtual void after_step(const Frame& frame) = 0;
+  virtual void finish(const Frame& frame, Ending ending, const discretisation::StepStatus& status) = 0;
+};
+
+struct Options {
+  std::int64_t stop_at_cycle = 0;  ///< for tests of restart; 0 none
+};
+
+/// What one run of a solver came to.
+struct Outcome {
+  Ending ending = Ending::end_time;
+  discretisation::StepStatus status;  ///< ok unless physics failed
+  double seconds = 0.0;               ///< wall clock in the time loop
+  double element_cycles = 0.0;        ///< active elements times cycles
+  struct Phase {
+    std::string name;  ///< "elements", "loads", "update", "output"
+    double seconds = 0.0;
+  };
+  std::vector<Phase> phases;
+};
+
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  /// Moves the state until the model's termination or a wish. The state is left at the end of a whole cycle.
+  virtual Outcome advance(discretisation::State& state, std::span<Observer* const> observers,
+                          Wishes& wishes) = 0;
+};
+
+/// Explicit central differences. Unsupported combinations are diagnostics.
+std::unique_ptr<Solver> make_explicit(const discretisation::World& world, const Options& options,
+                                      deck::Diagnostics& diagnostics);
+
+}  // namespace cleave::solver
