@@ -1,0 +1,42 @@
+#include "base/threads.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <numeric>
+#include <vector>
+
+namespace cleave::base {
+namespace {
+
+TEST(Threads, EveryChunkRunsOnceForAnyNumberOfThreads) {
+  for (int threads : {1, 2, 3, 7}) {
+    set_thread_count(threads);
+    EXPECT_EQ(thread_count(), threads);
+    std::vector<std::atomic<int>> visits(1000);
+    for_each_chunk(visits.size(), [&](std::size_t chunk) { ++visits[chunk]; });
+    for (const auto& count : visits) EXPECT_EQ(count.load(), 1);
+  }
+}
+
+TEST(Threads, RangesCoverAllAndDoNotDependOnThreads) {
+  for (int threads : {1, 3}) {
+    set_thread_count(threads);
+    std::vector<int> owner(1003, -1);
+    for_each_range(owner.size(), 100, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) owner[i] = static_cast<int>(begin);
+    });
+    for (std::size_t i = 0; i < owner.size(); ++i) EXPECT_EQ(owner[i], static_cast<int>(i / 100 * 100));
+  }
+}
+
+TEST(Threads, NestedLoopsAndEmptyLoopsAreFine) {
+  set_thread_count(2);
+  std::atomic<int> count{0};
+  for_each_chunk(0, [&](std::size_t) { ++count; });
+  for_each_chunk(4, [&](std::size_t) { for_each_chunk(5, [&](std::size_t) { ++count; }); });
+  EXPECT_EQ(count.load(), 20);
+}
+
+}  // namespace
+}  // namespace cleave::base
