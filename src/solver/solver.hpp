@@ -46,6 +46,8 @@ enum class Ending {
 };
 
 /// What a user or the system asks for while the run goes on; checked once per cycle.
+/// The solver takes `stop`; the observers that serve `report`, `restart` and `field` hold a reference and
+/// take (clear) those.
 struct Wishes {
   std::atomic<bool> stop{false};     ///< sw1, SIGINT, SIGTERM: write a restart and end
   std::atomic<bool> report{false};   ///< sw2: time and cycle numbers, go on
