@@ -31,13 +31,13 @@ PROMISES = [
 
 def project_files(root):
     """Files git knows or would add; without git, everything outside hidden and built folders."""
-    git = subprocess.run(["git", "-C", root, "ls-files", "-z", "-c", "-o", "--exclude-standard"],
-                         capture_output=True)
-    if git.returncode == 0:
+    try:
+        git = subprocess.run(["git", "-C", root, "ls-files", "-z", "-c", "-o", "--exclude-standard"],
+                             capture_output=True, check=True)
         names = [Path(n) for n in git.stdout.decode().split("\0") if n]
-    else:
+    except (FileNotFoundError, subprocess.CalledProcessError):
         names = [p.relative_to(root) for p in root.rglob("*")]
-        names = [n for n in names if n.parts[0] not in ("build", "out", ".git")]
+        names = [n for n in names if n.parts[0] not in ("build", "out", ".git") and "__pycache__" not in n.parts]
     return sorted(n for n in names if (root / n).is_file() and not (root / n).is_symlink())
 
 
