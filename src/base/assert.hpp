@@ -6,8 +6,8 @@ namespace cleave::base {
 [[noreturn]] void assertion_failed(const char* condition, const char* why, const char* file, int line);
 }
 
-#define CLEAVE_ASSERT(condition, why)                                                  \
-  do {                                                                                 \
-    if (!(condition)) [[unlikely]]                                                     \
-      ::cleave::base::assertion_failed(#condition, why, __FILE__, __LINE__);           \
+#define CLEAVE_ASSERT(condition, why)                                        \
+  do {                                                                       \
+    if (!(condition)) [[unlikely]]                                           \
+      ::cleave::base::assertion_failed(#condition, why, __FILE__, __LINE__); \
   } while (false)

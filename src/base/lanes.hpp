@@ -48,10 +48,22 @@ struct Lanes {
   friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.v * b.v); }
   friend Lanes operator/(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
   friend Lanes operator-(Lanes a) { return Lanes(-a.v); }
-  Lanes& operator+=(Lanes b) { v += b.v; return *this; }
-  Lanes& operator-=(Lanes b) { v -= b.v; return *this; }
-  Lanes& operator*=(Lanes b) { v *= b.v; return *this; }
-  Lanes& operator/=(Lanes b) { v /= b.v; return *this; }
+  Lanes& operator+=(Lanes b) {
+    v += b.v;
+    return *this;
+  }
+  Lanes& operator-=(Lanes b) {
+    v -= b.v;
+    return *this;
+  }
+  Lanes& operator*=(Lanes b) {
+    v *= b.v;
+    return *this;
+  }
+  Lanes& operator/=(Lanes b) {
+    v /= b.v;
+    return *this;
+  }
 
   friend Mask operator<(Lanes a, Lanes b) { return {(Mask::Vector)(a.v < b.v)}; }
   friend Mask operator<=(Lanes a, Lanes b) { return {(Mask::Vector)(a.v <= b.v)}; }
@@ -70,22 +82,38 @@ inline Lanes select(Mask m, Lanes a, Lanes b) {  ///< m ? a : b
   std::memcpy(&out.v, &r, sizeof r);
   return out;
 }
-inline double select(bool m, double a, double b) { return m ? a : b; }
+inline double select(bool m, double a, double b) {
+  return m ? a : b;
+}
 
 /// min and max return the second argument when either is NaN, on lanes and doubles alike.
-inline Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
-inline Lanes max(Lanes a, Lanes b) { return select(a > b, a, b); }
-inline double min(double a, double b) { return a < b ? a : b; }
-inline double max(double a, double b) { return a > b ? a : b; }
+inline Lanes min(Lanes a, Lanes b) {
+  return select(a < b, a, b);
+}
+inline Lanes max(Lanes a, Lanes b) {
+  return select(a > b, a, b);
+}
+inline double min(double a, double b) {
+  return a < b ? a : b;
+}
+inline double max(double a, double b) {
+  return a > b ? a : b;
+}
 
 inline bool any(Mask m) {
   std::int64_t r = 0;
   for (int i = 0; i < lane_count; ++i) r |= m.v[i];
   return r != 0;
 }
-inline bool any(bool m) { return m; }
-inline bool all(Mask m) { return !any(!m); }
-inline bool all(bool m) { return m; }
+inline bool any(bool m) {
+  return m;
+}
+inline bool all(Mask m) {
+  return !any(!m);
+}
+inline bool all(bool m) {
+  return m;
+}
 
 inline Lanes sqrt(Lanes a) {
 #if defined(__AVX512F__)
@@ -96,10 +124,16 @@ inline Lanes sqrt(Lanes a) {
   return r;
 #endif
 }
-inline double sqrt(double a) { return std::sqrt(a); }
+inline double sqrt(double a) {
+  return std::sqrt(a);
+}
 
-inline Lanes abs(Lanes a) { return select(a < Lanes(0.0), -a, a); }
-inline double abs(double a) { return std::fabs(a); }
+inline Lanes abs(Lanes a) {
+  return select(a < Lanes(0.0), -a, a);
+}
+inline double abs(double a) {
+  return std::fabs(a);
+}
 
 /// a * b + c with one rounding.
 inline Lanes fma(Lanes a, Lanes b, Lanes c) {
@@ -111,7 +145,9 @@ inline Lanes fma(Lanes a, Lanes b, Lanes c) {
   return r;
 #endif
 }
-inline double fma(double a, double b, double c) { return std::fma(a, b, c); }
+inline double fma(double a, double b, double c) {
+  return std::fma(a, b, c);
+}
 
 // Transcendental functions: agree between lanes and double to 4 ulp, not to the bit.
 Lanes exp(Lanes a);
@@ -120,12 +156,24 @@ Lanes pow(Lanes a, Lanes b);  ///< a >= 0
 Lanes cbrt(Lanes a);
 Lanes sin(Lanes a);
 Lanes cos(Lanes a);
-inline double exp(double a) { return std::exp(a); }
-inline double log(double a) { return std::log(a); }
-inline double pow(double a, double b) { return std::pow(a, b); }
-inline double cbrt(double a) { return std::cbrt(a); }
-inline double sin(double a) { return std::sin(a); }
-inline double cos(double a) { return std::cos(a); }
+inline double exp(double a) {
+  return std::exp(a);
+}
+inline double log(double a) {
+  return std::log(a);
+}
+inline double pow(double a, double b) {
+  return std::pow(a, b);
+}
+inline double cbrt(double a) {
+  return std::cbrt(a);
+}
+inline double sin(double a) {
+  return std::sin(a);
+}
+inline double cos(double a) {
+  return std::cos(a);
+}
 
 /// Reductions over the lanes of one batch, always in lane order.
 inline double least(Lanes a) {
@@ -133,7 +181,9 @@ inline double least(Lanes a) {
   for (int i = 1; i < lane_count; ++i) r = min(a.v[i], r);
   return r;
 }
-inline double greatest(Lanes a) { return -least(-a); }
+inline double greatest(Lanes a) {
+  return -least(-a);
+}
 inline double sum(Lanes a) {
   return ((a.v[0] + a.v[1]) + (a.v[2] + a.v[3])) + ((a.v[4] + a.v[5]) + (a.v[6] + a.v[7]));
 }

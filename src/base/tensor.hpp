@@ -40,7 +40,8 @@ struct Mat3 {
   friend Mat3 operator*(const Mat3& a, const Mat3& b) {
     Mat3 r;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) r.m[i][j] = a.m[i][0] * b.m[0][j] + a.m[i][1] * b.m[1][j] + a.m[i][2] * b.m[2][j];
+      for (int j = 0; j < 3; ++j)
+        r.m[i][j] = a.m[i][0] * b.m[0][j] + a.m[i][1] * b.m[1][j] + a.m[i][2] * b.m[2][j];
     return r;
   }
   friend Mat3 operator+(const Mat3& a, const Mat3& b) {
@@ -128,7 +129,9 @@ Sym3<Real> rotate(const Mat3<Real>& q, const Sym3<Real>& a) {
   Real t[3][3];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) t[i][j] = q.m[i][0] * s[0][j] + q.m[i][1] * s[1][j] + q.m[i][2] * s[2][j];
-  const auto entry = [&](int i, int j) { return t[i][0] * q.m[j][0] + t[i][1] * q.m[j][1] + t[i][2] * q.m[j][2]; };
+  const auto entry = [&](int i, int j) {
+    return t[i][0] * q.m[j][0] + t[i][1] * q.m[j][1] + t[i][2] * q.m[j][2];
+  };
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(2, 0)};
 }
 

@@ -23,7 +23,8 @@ void run_chunks(std::size_t count, void (*body)(const void*, std::size_t), const
 template <class Body>
 void for_each_chunk(std::size_t count, const Body& body) {
   detail::run_chunks(
-      count, [](const void* context, std::size_t chunk) { (*static_cast<const Body*>(context))(chunk); }, &body);
+      count, [](const void* context, std::size_t chunk) { (*static_cast<const Body*>(context))(chunk); },
+      &body);
 }
 
 /// Calls body(begin, end) over [0, count) in ranges of fixed size `grain`.
