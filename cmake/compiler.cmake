@@ -28,6 +28,7 @@ endif()
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -g1")         # asserts stay on: CLEAVE_ASSERT is not NDEBUG's
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")  # for the sanitizers: quick to build, readable traces
+set(CMAKE_CXX_FLAGS_DEBUG "-Og -g")            # not -O0: xsimd 8.1 does not compile for AVX-512 without optimisation
 
 find_program(CLEAVE_CCACHE ccache)
 if(CLEAVE_CCACHE)

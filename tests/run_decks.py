@@ -11,7 +11,7 @@ Comments at the head of a deck state the case (docs/verification-decks.md has th
   $@ expect  summary energy.ratio  1.0  abs=0.01 (model: published ratios lie within 1 %)
   $@ order   displacement_z node=5 exact=0.1 in=1.8..2.2 with=bar_8.k,bar_16.k (order)
   $@ expect-fail "PR must be below 0.5"
-  $@ vary    threads=1,2,3,7
+  $@ vary    threads=1,2,3,7 restart=no,57
   $@ options --allow-unsupported
   $@ slow
 """
@@ -32,6 +32,9 @@ HISTORY = {"element": "elout", "node": "nodout", "part": "matsum", "wall": "rwfo
 REDUCTIONS = {"max": max, "min": min, "range": lambda v: max(v) - min(v), "peak": lambda v: max(map(abs, v))}
 TOLERANCES = ("exact", "roundoff", "order", "model")
 DIRECTIVES = ("case", "source", "expect", "expect-fail", "order", "vary", "options", "slow")
+# What can be varied, with the option of `cleave run` that does it; the value "no" leaves the option out.
+VARIABLE = {"threads": "--threads", "restart": "--stop-at-cycle"}
+REFUSED = (3, 4)  # exit statuses: the deck is at fault, the physics failed; anything else is a crash
 LIMIT_S = 900
 
 
@@ -166,8 +169,7 @@ class Case:
             self.options += shlex.split(rest)
         elif word == "vary":
             choices = [(k, v.split(",")) for k, _, v in (w.partition("=") for w in rest.split())]
-            for key, _ in choices:
-                option(key, "1")
+            words_of(dict(choices))
             values = itertools.product(*(v for _, v in choices))
             self.variations = [dict(zip((k for k, _ in choices), v)) for v in values]
         elif word == "expect":
@@ -232,25 +234,31 @@ class Order:
         return holds, f"order of {self.quantity} within {self.low:g}..{self.high:g}"
 
 
-def option(key, value):
-    if key == "threads":
-        return [f"--threads={value}"]
-    raise Wrong(f"cannot vary '{key}'; threads can be varied")
+def words_of(variation):
+    """The words a variation adds to `cleave run`."""
+    words = []
+    for key, value in variation.items():
+        if key not in VARIABLE:
+            raise Wrong(f"cannot vary '{key}'; {' and '.join(VARIABLE)} can be varied")
+        if value != "no":
+            words += [VARIABLE[key], value]
+    return words
 
 
-def run_deck(program, deck, directory, variation, options):
-    """Runs the deck; returns (exit status, everything it said)."""
-    extra = [word for key, value in variation.items() for word in option(key, value)]
+def call(program, *words):
+    """Runs the program; returns (exit status, everything it said)."""
     try:
-        done = subprocess.run([program, "run", deck, "-o", directory, *extra, *options], capture_output=True,
-                              timeout=LIMIT_S)
+        done = subprocess.run([program, *words], capture_output=True, timeout=LIMIT_S)
     except subprocess.TimeoutExpired:
         raise Wrong(f"still running after {LIMIT_S} s") from None
     return done.returncode, (done.stdout + done.stderr).decode(errors="replace")
 
 
 def must_run(program, deck, directory, variation, options):
-    status, said = run_deck(program, deck, directory, variation, options)
+    """Runs the deck to its end, by way of a stop and a restart where the variation says so."""
+    status, said = call(program, "run", deck, "-o", directory, *words_of(variation), *options)
+    if status == 0 and variation.get("restart", "no") != "no":
+        status, said = call(program, "restart", directory)
     if status != 0:
         raise Wrong(f"the run ended with status {status}:\n{said[-4000:]}")
 
@@ -275,8 +283,8 @@ def check(program, deck):
         for variation in case.variations:
             run = Path(folder) / ("run" + "".join(f"_{k}{v}" for k, v in variation.items()))
             if case.failures:
-                status, said = run_deck(program, deck, run, variation, case.options)
-                results.append((status != 0, f"refused (status {status})"))
+                status, said = call(program, "run", deck, "-o", run, *words_of(variation), *case.options)
+                results.append((status in REFUSED, f"refused (status {status})"))
                 results += [(text in said, f'says "{text}"') for text in case.failures]
                 if not all(holds for holds, _ in results):
                     print(said[-4000:])

@@ -14,11 +14,18 @@ import run_decks  # noqa: E402
 # A stand-in for the solver: the error of `tip` falls by 4 from coarse.k to fine.k to finest.k.
 PROGRAM = """#!/usr/bin/env python3
 import json, pathlib, sys
-deck, out, threads = sys.argv[2], pathlib.Path(sys.argv[4]), 1
-for word in sys.argv[5:]:
-    if word.startswith("--threads="): threads = int(word[10:])
+deck, words = sys.argv[2], sys.argv[3:]
+if sys.argv[1] == "restart":
+    (pathlib.Path(deck) / "glstat.csv").rename(pathlib.Path(deck) / "other.csv" if "drift" in deck else
+                                               pathlib.Path(deck) / "glstat.csv")
+    sys.exit(0)
+options = dict(zip(words[::2], words[1::2]))
+out, threads = pathlib.Path(options["-o"]), int(options.get("--threads", 1))
 if "refuse" in deck:
-    sys.exit("refuse.k:3:21 MAT_ELASTIC: PR must be below 0.5")
+    print("refuse.k:3:21 MAT_ELASTIC: PR must be below 0.5")
+    sys.exit(3)
+if "crash" in deck:
+    sys.exit("PR must be below 0.5")
 out.mkdir()
 error = {"coarse": 0.16, "fine": 0.04, "finest": 0.01}.get(pathlib.Path(deck).stem, 0.0)
 (out / "glstat.csv").write_text("time,kinetic_energy,tip\\n" +
@@ -77,13 +84,17 @@ class Decks(unittest.TestCase):
         self.good("expect kinetic_energy max 10 (exact)", "vary threads=1,2,3,7")
         self.bad("run_threads2 has the bits of run_threads1 glstat.csv", "expect tip 1 (exact)",
                  "vary threads=1,2", name="drift.k")
+        self.good("expect tip 1 (exact)", "vary threads=1,2 restart=no,57")
+        self.bad("run_restartno_threads2 has the bits", "expect tip 1 (exact)", "vary restart=no,57 threads=1,2",
+                 name="drift.k")
         self.bad("cannot vary 'colour'", "expect tip 1 (exact)", "vary colour=1,2")
 
     def test_refusal(self):
         self.good('expect-fail "PR must be below 0.5"', name="refuse.k")
         self.bad('FAIL says "RO must be positive"', 'expect-fail "RO must be positive"', name="refuse.k")
         self.bad("FAIL refused (status 0)", 'expect-fail "PR must be below 0.5"')
-        self.bad("ended with status 1", "expect tip 1 (exact)", name="refuse.k")
+        self.bad("ended with status 3", "expect tip 1 (exact)", name="refuse.k")
+        self.bad("FAIL refused (status 1)", 'expect-fail "PR must be below 0.5"', name="crash.k")
 
     def test_order(self):
         finer = {"name": "coarse.k", "more": ("fine.k", "finest.k")}
