@@ -71,6 +71,10 @@ class Block {
   virtual StepStatus initialise(const base::Array<double>& position, BlockState& state) const = 0;
   /// Adds lumped masses [node] [mass].
   virtual void add_mass(const BlockState& state, std::span<double> mass) const = 0;
+  /// Adds factor[e] times the lumped mass of each element [element] to its nodes, in element order: mass
+  /// scaling, and what a deleted element takes away. add_mass() is this with every factor 1.
+  virtual void add_scaled_mass(const BlockState& state, std::span<const double> factor,
+                               std::span<double> mass) const = 0;
 
   /// One step of every active element: strain, law, force, in one visit. Adds minus the internal force.
   virtual StepOutput add_force(const StepInput& input, BlockState& state, ForceSum& force) const = 0;

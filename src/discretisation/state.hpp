@@ -23,7 +23,8 @@ struct PartEnergy {
   double eroded_internal = 0.0, eroded_hourglass = 0.0, eroded_kinetic = 0.0;
 };
 
-/// The energy balance of the whole model [energy].
+/// The energy balance of the whole model at t_n [energy]. As in the established `glstat`, `kinetic`,
+/// `internal` and `hourglass` contain their eroded shares.
 struct Energy {
   double kinetic = 0.0, internal = 0.0, hourglass = 0.0, damping = 0.0, wall = 0.0, sliding = 0.0;
   double external = 0.0;  ///< work of loads, prescribed motion, walls that move
