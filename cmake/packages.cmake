@@ -5,3 +5,4 @@ find_package(fmt REQUIRED)             # apt: libfmt-dev
 find_package(HDF5 REQUIRED COMPONENTS C)  # apt: libhdf5-dev
 find_package(CLI11 REQUIRED)           # apt: libcli11-dev
 find_package(nlohmann_json REQUIRED)   # apt: nlohmann-json3-dev
+find_package(Python3 REQUIRED COMPONENTS Interpreter)  # apt: python3

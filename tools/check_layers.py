@@ -158,11 +158,12 @@ class Checker:
             self.breach("docs/dependencies.md", 1, f"no reason for the package {package}, which ./x installs")
         for package in sorted(reasons - listed):
             self.breach("docs/dependencies.md", 1, f"./x does not install {package}")
-        for name in self.files:
-            if name.suffix != ".cmake" and name.name != "CMakeLists.txt":
-                continue
+        known = set()  # what cmake/packages.cmake finds may be asked for again anywhere
+        files = [n for n in self.files if n.suffix == ".cmake" or n.name == "CMakeLists.txt"]
+        for name in sorted(files, key=lambda n: n.name != "packages.cmake"):
             for number, line in enumerate(read(self.root / name).splitlines(), 1):
-                if not re.match(r"\s*(find_package|find_library|pkg_check_modules)\(", line):
+                asked = re.match(r"\s*(?:find_package|find_library|pkg_check_modules)\((\w+)", line)
+                if not asked or asked[1] in known:
                     continue
                 match = re.search(r"#\s*apt:\s*(\S+)", line)
                 wanted = listed if name.parts[0] == "bench" else core
@@ -170,6 +171,8 @@ class Checker:
                     self.breach(name, number, "say the Debian package: '# apt: NAME' at the end of the line")
                 elif match[1] not in wanted:
                     self.breach(name, number, f"./x does not install {match[1]}")
+                elif name.name == "packages.cmake":
+                    known.add(asked[1])
 
     def run(self):
         self.check_layers()

@@ -84,6 +84,10 @@ class Layers(unittest.TestCase):
     def test_package_not_named(self):
         self.one({"cmake/packages.cmake": "find_package(TBB)\n"}, "say the Debian package")
 
+    def test_package_asked_for_twice(self):
+        self.assertEqual(self.breaches(files={"src/base/room.cmake": "find_package(TBB REQUIRED)\n"}), [])
+        self.one({"src/base/room.cmake": "find_package(fmt REQUIRED)\n"}, "say the Debian package")
+
     def test_package_without_reason(self):
         self.one({"x": 'core="libtbb-dev mold"\nchecks="gcovr"\n'}, "no reason for the package mold")
 
