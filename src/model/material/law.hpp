@@ -54,9 +54,17 @@ class Law {
   /// Start values of one point's state (size state_size).
   virtual void initialise(std::span<double> state) const = 0;
   virtual void update(const Tile& tile) const = 0;
+  /// The same, point by point in plain doubles: what lanes are checked against.
+  virtual void update_scalar(const Tile& tile) const = 0;
+  /// Derivative of the updated stress; moves nothing. With respect to the strain increment (the volume ratio
+  /// follows its trace), or to the deformation gradient if the law needs it.
+  /// @param out [batch][6 times 6 or 9, row-major][lane] [stress]
+  virtual void tangent(const Tile& tile, std::span<double> out) const = 0;
   virtual double longitudinal_modulus() const = 0;  ///< in the reference state, K + 4G/3 [stress]
   virtual double shear_modulus() const = 0;         ///< in the reference state [stress]
   virtual double bulk_modulus() const { return longitudinal_modulus() - 4.0 / 3.0 * shear_modulus(); }
+  /// How many points of an element must answer failed = 1 before it is deleted.
+  virtual int failed_points_needed() const { return 1; }
 };
 
 class PressureLaw;  ///< equation of state, see eos.hpp

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/tensor.hpp"
+#include "model/material/pressure_line.hpp"
 
 namespace cleave::model {
 
@@ -21,6 +22,7 @@ struct Point {
   Real volume_ratio_before;           ///< J at its begin [-]
   Real bulk_viscosity;                ///< q of the step, positive in compression [stress]
   Real length;                        ///< characteristic length of the element [length]
+  PressureLine<Real> pressure;        ///< of the equation of state; set only if the law asks for it
 
   // --- moved -------------------------------------------------------------------------------------
   base::Sym3<Real> stress;  ///< Cauchy stress, without q; comes in rotated to the current frame [stress]
