@@ -33,7 +33,9 @@ REDUCTIONS = {"max": max, "min": min, "range": lambda v: max(v) - min(v), "peak"
 TOLERANCES = ("exact", "roundoff", "order", "model")
 DIRECTIVES = ("case", "source", "expect", "expect-fail", "order", "vary", "options", "slow")
 # What can be varied, with the option of `cleave run` that does it; the value "no" leaves the option out.
-VARIABLE = {"threads": "--threads", "restart": "--stop-at-cycle"}
+# `lanes` takes another program: that of the build with this preset, beside the build of the one given.
+VARIABLE = {"threads": "--threads", "restart": "--stop-at-cycle", "lanes": None}
+LANES = {"native": "release", "scalar": "scalar"}
 REFUSED = (3, 4)  # exit statuses: the deck is at fault, the physics failed; anything else is a crash
 LIMIT_S = 900
 
@@ -240,9 +242,20 @@ def words_of(variation):
     for key, value in variation.items():
         if key not in VARIABLE:
             raise Wrong(f"cannot vary '{key}'; {' and '.join(VARIABLE)} can be varied")
-        if value != "no":
+        if VARIABLE[key] and value != "no":
             words += [VARIABLE[key], value]
     return words
+
+
+def program_for(variation, program):
+    """The program of a variation of the lanes, None where its build does not exist."""
+    lanes = variation.get("lanes")
+    if lanes is None:
+        return program
+    if lanes not in LANES:
+        raise Wrong(f"lanes={lanes}: there are {' and '.join(LANES)}")
+    twin = program.parent.parent / LANES[lanes] / program.name
+    return twin if twin.is_file() else None
 
 
 def call(program, *words):
@@ -281,19 +294,25 @@ def check(program, deck):
     with tempfile.TemporaryDirectory() as folder:
         runs = []
         for variation in case.variations:
+            twin = program_for(variation, program)
+            if twin is None:
+                print(f"  note lanes={variation['lanes']} not compared: ./x build {LANES[variation['lanes']]} cleave")
+                continue
             run = Path(folder) / ("run" + "".join(f"_{k}{v}" for k, v in variation.items()))
             if case.failures:
-                status, said = call(program, "run", deck, "-o", run, *words_of(variation), *case.options)
+                status, said = call(twin, "run", deck, "-o", run, *words_of(variation), *case.options)
                 results.append((status in REFUSED, f"refused (status {status})"))
                 results += [(text in said, f'says "{text}"') for text in case.failures]
                 if not all(holds for holds, _ in results):
                     print(said[-4000:])
                 continue
-            must_run(program, deck, run, variation, case.options)
+            must_run(twin, deck, run, variation, case.options)
             runs.append(run)
             if len(runs) > 1:
                 differing = same_histories(runs[0], run)
                 results.append((not differing, f"{run.name} has the bits of {runs[0].name} {' '.join(differing)}"))
+        if not runs and not case.failures:
+            raise Wrong("no variation could run")
         for expectation in case.expects:
             results.append(expectation.check(runs[0]))
         finer = {}

@@ -38,11 +38,14 @@ if "drift" in deck and threads > 1:
 
 
 class Decks(unittest.TestCase):
-    def run_case(self, *directives, name="case.k", more=()):
+    def run_case(self, *directives, name="case.k", more=(), twins=(), off=False):
         with tempfile.TemporaryDirectory() as folder:
-            program = Path(folder) / "program"
-            program.write_text(PROGRAM)
-            program.chmod(program.stat().st_mode | stat.S_IXUSR)
+            for preset in ("release", *twins):
+                program = Path(folder) / preset / "program"
+                program.parent.mkdir()
+                program.write_text(PROGRAM.replace("finest", "never" if preset == "scalar" and off else "finest"))
+                program.chmod(program.stat().st_mode | stat.S_IXUSR)
+            program = Path(folder) / "release" / "program"
             for other in more:
                 (Path(folder) / other).write_text("*KEYWORD\n")
             deck = Path(folder) / name
@@ -87,6 +90,13 @@ class Decks(unittest.TestCase):
         self.good("expect tip 1 (exact)", "vary threads=1,2 restart=no,57")
         self.bad("run_restartno_threads2 has the bits", "expect tip 1 (exact)", "vary restart=no,57 threads=1,2",
                  name="drift.k")
+        lanes = ("expect tip max 1.01 rel=1e-9 (order)", "vary lanes=native,scalar")
+        self.good(*lanes, name="finest.k")
+        self.assertIn("note lanes=scalar not compared", self.said)
+        self.good(*lanes, name="finest.k", twins=("scalar",))
+        self.assertIn("run_lanesscalar has the bits of run_lanesnative", self.said)
+        self.bad("run_lanesscalar has the bits of run_lanesnative glstat.csv", *lanes, name="finest.k",
+                 twins=("scalar",), off=True)
         self.bad("cannot vary 'colour'", "expect tip 1 (exact)", "vary colour=1,2")
 
     def test_refusal(self):
