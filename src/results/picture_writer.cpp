@@ -1,0 +1,93 @@
+#include "results/picture_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "results/picture.hpp"
+
+namespace cleave::results {
+namespace {
+
+using discretisation::Block;
+
+bool has_field(const Block& block, const std::string& name) {
+  const auto fields = block.fields();
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const auto& field) { return field.name == name && field.size == 1; });
+}
+
+/// Values of a scalar field, 0 in blocks that do not know it. [block][element]
+std::vector<std::vector<float>> element_values(const solver::Frame& frame, const std::string& field) {
+  std::vector<std::vector<float>> values;
+  for (std::size_t b = 0; b < frame.world.blocks.size(); ++b) {
+    const Block& block = *frame.world.blocks[b];
+    std::vector<double> numbers(block.element_ids().size(), 0.0);
+    if (has_field(block, field)) block.evaluate(field, frame.state.position, frame.state.blocks[b], numbers);
+    values.emplace_back(numbers.begin(), numbers.end());
+  }
+  return values;
+}
+
+/// Length of each node's way from where it started. [node] [length]
+std::vector<float> displacements(const solver::Frame& frame) {
+  const std::vector<double>& start = frame.model.mesh.nodes.position;
+  std::vector<float> lengths(start.size() / 3);
+  for (std::size_t n = 0; n < lengths.size(); ++n) {
+    double square = 0.0;
+    for (std::size_t i = 3 * n; i < 3 * n + 3; ++i)
+      square += (frame.state.position[i] - start[i]) * (frame.state.position[i] - start[i]);
+    lengths[n] = static_cast<float>(std::sqrt(square));
+  }
+  return lengths;
+}
+
+}  // namespace
+
+PictureWriter::PictureWriter(std::filesystem::path run_directory, PictureWriterOptions options)
+    : directory_(std::move(run_directory)), options_(std::move(options)) {}
+
+void PictureWriter::begin(const solver::Frame& frame) {
+  if (options_.initial) write(frame, "initial.png");
+}
+
+void PictureWriter::after_step(const solver::Frame&) {}  // pictures are of the ends of a run only
+
+void PictureWriter::finish(const solver::Frame& frame, solver::Ending, const discretisation::StepStatus&) {
+  write(frame, "picture.png");
+}
+
+void PictureWriter::write(const solver::Frame& frame, const char* name) {
+  const auto& blocks = frame.world.blocks;
+  std::vector<std::vector<std::uint8_t>> alive;
+  std::vector<SolidCells> cells;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::size_t count = blocks[b]->element_ids().size();
+    const auto flags = std::make_unique<bool[]>(count);
+    blocks[b]->alive(frame.state.blocks[b], {flags.get(), count});
+    alive.emplace_back(flags.get(), flags.get() + count);
+    cells.push_back({blocks[b]->shape(), blocks[b]->connectivity(), alive.back()});
+  }
+
+  PictureModel picture{.cells = cells, .position = frame.state.position};
+  PictureOptions look;
+  if (std::any_of(blocks.begin(), blocks.end(),
+                  [&](const auto& b) { return has_field(*b, options_.field); })) {
+    picture.element_value = element_values(frame, options_.field);
+    look.field = options_.field;
+    std::replace(look.field.begin(), look.field.end(), '_', ' ');
+  } else {
+    picture.node_value = displacements(frame);
+    look.field = "displacement";
+  }
+  look.title = frame.model.title;
+  char moment[80];
+  std::snprintf(moment, sizeof moment, "t = %.4g,  cycle %lld", frame.state.time,
+                static_cast<long long>(frame.state.cycle));
+  look.moment = moment;
+  if (std::string wrong = write_picture(picture, look, directory_ / name); !wrong.empty()) problem_ = wrong;
+}
+
+}  // namespace cleave::results
