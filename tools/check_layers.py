@@ -21,6 +21,7 @@ TEXT = CODE | {".txt", ".md", ".json", ".yml", ".css", ".js", ".html", ".supp", 
 # (entry type, catalogue macro, folder of the entries, catalogue)
 CATALOGUES = [
     ("LawEntry", "CLEAVE_LAW", "src/model/material", "src/model/material/catalogue.inc"),
+    ("PressureEntry", "CLEAVE_EOS", "src/model/material", "src/model/material/eos_catalogue.inc"),
     ("FormulationEntry", "CLEAVE_FORMULATION", "src/discretisation", "src/discretisation/catalogue.inc"),
 ]
 PROMISES = [
@@ -161,14 +162,16 @@ class Checker:
         known = set()  # what cmake/packages.cmake finds may be asked for again anywhere
         files = [n for n in self.files if n.suffix == ".cmake" or n.name == "CMakeLists.txt"]
         for name in sorted(files, key=lambda n: n.name != "packages.cmake"):
-            for number, line in enumerate(read(self.root / name).splitlines(), 1):
-                asked = re.match(r"\s*(?:find_package|find_library|pkg_check_modules)\((\w+)", line)
+            lines = read(self.root / name).splitlines()
+            for number, line in enumerate(lines, 1):
+                asked = re.match(r"\s*(?:find_package|find_library|find_path|pkg_check_modules)\((\w+)", line)
                 if not asked or asked[1] in known:
                     continue
-                match = re.search(r"#\s*apt:\s*(\S+)", line)
+                named = re.compile(r"#\s*apt:\s*(\S+)")
+                match = named.search(line) or named.search(lines[max(number - 2, 0)])
                 wanted = listed if name.parts[0] == "bench" else core
                 if not match:
-                    self.breach(name, number, "say the Debian package: '# apt: NAME' at the end of the line")
+                    self.breach(name, number, "say the Debian package, '# apt: NAME', on this line or the one before")
                 elif match[1] not in wanted:
                     self.breach(name, number, f"./x does not install {match[1]}")
                 elif name.name == "packages.cmake":

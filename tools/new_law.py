@@ -14,6 +14,7 @@ from pathlib import Path
 SKELETON = """\
 #include <array>
 
+#include "model/material/kernel.hpp"
 #include "model/material/tiled_law.hpp"
 
 namespace cleave::model {
@@ -47,14 +48,13 @@ struct @Type@ {
     const Real excess = q - (yield + slope * p.state[0]);
     const Real flow = max(excess, Real(0.0)) * (1.0 / (3.0 * g + slope));
     const Real scale = 1.0 - 3.0 * g * flow / max(q, Real(1e-300));
-    p.stress = scale * trial + spherical(mean);
+    p.stress = scale * trial + base::spherical(mean);
     p.state[0] = p.state[0] + flow;
     p.modulus = Real(longitudinal());
   }
 };
 
 constexpr LawField fields[] = {
-    {.name = "RO", .dimension = "mass/length^3", .low = 0.0, .low_open = true, .required = true},
     {.name = "E", .dimension = "stress", .low = 0.0, .low_open = true, .required = true},
     {.name = "PR", .dimension = "-", .low = -1.0, .high = 0.5, .low_open = true, .high_open = true},
     {.name = "SIGY", .dimension = "stress", .low = 0.0, .low_open = true, .required = true},
