@@ -80,8 +80,8 @@ struct RigidWall {
   bool finite = false;
   Vector edge_l{1, 0, 0}, edge_m{0, 1, 0};  ///< unit edges of the finite wall
   double length_l = 0.0, length_m = 0.0;
-  double friction = 0.0;        ///< Coulomb; 1 sticks completely
-  double velocity_limit = 0.0;  ///< WVEL: below it nodes stick
+  double friction = 0.0;        ///< FRIC: Coulomb; 1 no sliding; 2 welds and slides; 3 welds, no sliding
+  double velocity_limit = 0.0;  ///< WVEL: FRIC 2 and 3 weld nodes that hit faster than this
   bool orthotropic = false;     ///< _ORTHO is refused at build; kept false
   double mass = 0.0;            ///< > 0: moving wall
   double speed = 0.0;           ///< initial, along the normal [length/time]

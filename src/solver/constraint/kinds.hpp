@@ -1,0 +1,17 @@
+#pragma once
+/// The constraints there are; each in the file of its name.
+
+#include <memory>
+#include <vector>
+
+#include "solver/action.hpp"
+
+namespace cleave::solver {
+
+using ConstraintList = std::vector<std::unique_ptr<Constraint>>;
+
+void add_dashpots(const discretisation::World& world, ConstraintList& list, deck::Diagnostics& diagnostics);
+void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
+void add_held_nodes(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
+
+}  // namespace cleave::solver

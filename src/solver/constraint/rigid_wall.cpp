@@ -1,0 +1,229 @@
+/// *RIGIDWALL_PLANAR: nodes may not pass a plane. A node that would is placed on it, its normal velocity
+/// taken away (plastic impact); the momentum it loses is the wall's force. A wall with a mass takes that
+/// momentum over. Source: Belytschko, Liu, Moran & Elkhodary 2014, sec. 10; explicit.md, section 5.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/threads.hpp"
+#include "solver/constraint/kinds.hpp"
+
+namespace cleave::solver {
+namespace {
+
+using model::RigidWall;
+using model::Vector;
+
+constexpr std::size_t grain = 2048;
+
+Vector vector_at(std::span<const double> field, Index node) {
+  const double* v = &field[3 * static_cast<std::size_t>(node)];
+  return {v[0], v[1], v[2]};
+}
+
+/// A node that would pass the wall within the step.
+struct Hit {
+  Index node;
+  std::size_t member;  ///< position in the wall's list of nodes
+  double gap;          ///< distance before the step, not below zero [length]
+  double mass;         ///< that the wall feels: divided by the cycles left to stop it
+  double approach;     ///< normal velocity at which the wall would just be touched [length/time]
+  bool welded;
+  double force[3] = {0, 0, 0};  ///< of the wall on the node [force]
+};
+
+class PlanarWall final : public Constraint {
+ public:
+  PlanarWall(const RigidWall& wall, std::size_t number) : wall_(wall), number_(number) {
+    found_.resize((wall.nodes.size() + grain - 1) / grain);
+  }
+
+  std::string name() const override { return "rigid wall " + std::to_string(number_); }
+
+  base::Array<double> first_memory(const discretisation::State&) const override {
+    base::Array<double> memory(node_state + (remembers_nodes() ? wall_.nodes.size() : 0), 0.0);
+    memory[velocity] = wall_.speed;
+    return memory;
+  }
+
+  void correct(const Moment& now, std::span<double> memory, std::span<double> acceleration) override {
+    memory[travel] += memory[move];
+    memory[move] = 0.0;
+    for (std::size_t slot = normal_force; slot < node_state; ++slot) memory[slot] = 0.0;
+    hits_.clear();
+    nodes_.clear();
+    speed_before_ = memory[velocity];
+    const double middle = now.time + 0.5 * now.step;
+    if (middle < wall_.birth || middle >= wall_.death) return;
+
+    find_hits(now, memory, acceleration);
+    exchange_momentum(memory);
+    for (Hit& hit : hits_) stop(now, memory, acceleration, hit);
+    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return a.member < b.member; });
+    for (const Hit& hit : hits_) {
+      nodes_.push_back(hit.node);
+      for (std::size_t i = 0; i < 3; ++i) memory[force_x + i] += hit.force[i];
+    }
+    memory[normal_force] = memory[force_x] * wall_.normal.x + memory[force_x + 1] * wall_.normal.y +
+                           memory[force_x + 2] * wall_.normal.z;
+    memory[move] = memory[velocity] * now.step;
+  }
+
+  std::span<const Index> corrected() const override { return nodes_; }
+
+  /// What the wall's motion gives is external work; what does not arrive in the nodes is lost in the wall.
+  Halves work(const Moment& now, std::span<const double> memory,
+              std::span<const double> acceleration) const override {
+    const double late = memory[velocity];
+    const double middle = speed_before_ + (late - speed_before_) * (0.5 * now.step_before / now.interval());
+    Halves sum;
+    sum.before.external = 0.25 * now.step_before * memory[normal_force] * (speed_before_ + middle);
+    sum.after.external = 0.25 * now.step * memory[normal_force] * (middle + late);
+    sum.before.wall = sum.before.external;
+    sum.after.wall = sum.after.external;
+    for (const Hit& hit : hits_) {
+      const ImpulseWork node = impulse_work(now, hit.node, hit.force, acceleration);
+      sum.before.wall -= node.before;
+      sum.after.wall -= node.after;
+    }
+    return sum;
+  }
+
+  void report(std::span<const double> memory, Reactions& reactions) const override {
+    WallForce& out = reactions.walls[number_];
+    out.normal = memory[normal_force];
+    for (std::size_t i = 0; i < 3; ++i) out.force[i] = memory[force_x + i];
+    out.position = base::dot(wall_.origin, wall_.normal) + memory[travel];
+    out.velocity = memory[velocity];
+  }
+
+ private:
+  /// Places in the memory; the state of the nodes (welded, or cycles in contact) follows.
+  enum Slot : std::size_t { travel, velocity, move, normal_force, force_x, node_state = force_x + 3 };
+
+  bool welds() const { return wall_.friction == 2.0 || wall_.friction == 3.0; }
+  bool sticks() const { return wall_.friction == 1.0 || wall_.friction == 3.0; }
+  bool remembers_nodes() const { return welds() || wall_.soft_cycles > 1; }
+
+  /// Nodes that the wall, at the speed it has, would overtake within the step; in the order of its list.
+  void find_hits(const Moment& now, std::span<double> memory, std::span<const double> acceleration) {
+    const double interval = now.interval(), slack = 1e-6 * (wall_.length_l + wall_.length_m);
+    base::for_each_range(wall_.nodes.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<Hit>& found = found_[begin / grain];
+      found.clear();
+      for (std::size_t member = begin; member < end; ++member) {
+        const Index node = wall_.nodes[member];
+        const Vector from = vector_at(now.position, node) - wall_.origin;
+        const Vector v = vector_at(now.velocity, node) + interval * vector_at(acceleration, node);
+        const double distance = base::dot(from, wall_.normal) - memory[travel];
+        const double gap = std::max(distance, 0.0);
+        const double approach = base::dot(v, wall_.normal) + gap / now.step;
+        double* state = remembers_nodes() ? &memory[node_state + member] : nullptr;
+        const bool welded = welds() && *state != 0.0;
+        if (!welded && !(approach < memory[velocity])) {
+          if (state && !welds() && distance > 0.0) *state = 0.0;
+          continue;
+        }
+        if (wall_.finite && !welded) {
+          if (distance < -slack && !(state && *state > 0.0)) continue;  // passed beside the wall earlier
+          const Vector at = from + now.step * v;
+          const double l = base::dot(at, wall_.edge_l), m = base::dot(at, wall_.edge_m);
+          if (l < 0.0 || l > wall_.length_l || m < 0.0 || m > wall_.length_m) continue;
+        }
+        const double mass = now.mass[static_cast<std::size_t>(node)];
+        found.push_back({node, member, gap, mass / cycles_left(state), approach, welded});
+      }
+    });
+    for (const auto& found : found_) hits_.insert(hits_.end(), found.begin(), found.end());
+  }
+
+  /// FORCES, SOFT: over how many cycles from now on the approach is to be stopped.
+  double cycles_left(const double* state) const {
+    return wall_.soft_cycles > 1 && state && !welds() ? std::max(1.0, wall_.soft_cycles - *state) : 1.0;
+  }
+
+  /// Common velocity of a wall with a mass and the nodes it stops: momentum is kept, and only nodes that are
+  /// slower than the result take part. Taking them slowest first decides both in one sweep.
+  void exchange_momentum(std::span<double> memory) {
+    if (wall_.mass <= 0.0) return;
+    std::stable_sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) {
+      return a.welded != b.welded ? a.welded : a.approach < b.approach;
+    });
+    double mass = wall_.mass, momentum = wall_.mass * memory[velocity];
+    std::size_t taken = 0;
+    for (; taken < hits_.size(); ++taken) {
+      const Hit& hit = hits_[taken];
+      if (!hit.welded && !(hit.approach * mass < momentum)) break;
+      mass += hit.mass;
+      momentum += hit.mass * hit.approach;
+    }
+    hits_.resize(taken);
+    memory[velocity] = momentum / mass;
+  }
+
+  void stop(const Moment& now, std::span<double> memory, std::span<double> acceleration, Hit& hit) const {
+    const double interval = now.interval();
+    const Vector early = vector_at(now.velocity, hit.node);
+    const Vector free = early + interval * vector_at(acceleration, hit.node);
+    const double normal = base::dot(free, wall_.normal);
+    double* state = remembers_nodes() ? &memory[node_state + hit.member] : nullptr;
+
+    // Normal velocity that puts the node on the wall, or a share of the way there.
+    const double gain = (memory[velocity] - hit.gap / now.step - normal) / cycles_left(state);
+    if (state && welds() && speed_before_ - normal > wall_.velocity_limit) *state = 1.0;
+    if (state && !welds()) *state += 1.0;
+
+    // Along the wall: Coulomb's law between impulses.
+    const Vector sliding = free - normal * wall_.normal;
+    double loss = 0.0;
+    const double speed = std::sqrt(base::dot(sliding, sliding));
+    if (sticks())
+      loss = 1.0;
+    else if (!welds() && speed > 0.0)
+      loss = std::min(1.0, wall_.friction * std::max(gain, 0.0) / speed);
+
+    const Vector after = (normal + gain) * wall_.normal + (1.0 - loss) * sliding;
+    const Vector change = after - free;
+    const double mass = now.mass[static_cast<std::size_t>(hit.node)];
+    const double force[3] = {mass * change.x / interval, mass * change.y / interval,
+                             mass * change.z / interval};
+    std::copy(force, force + 3, hit.force);
+    double* a = &acceleration[3 * static_cast<std::size_t>(hit.node)];
+    a[0] = (after.x - early.x) / interval;
+    a[1] = (after.y - early.y) / interval;
+    a[2] = (after.z - early.z) / interval;
+  }
+
+  const RigidWall& wall_;
+  std::size_t number_;
+  std::vector<std::vector<Hit>> found_;  // [range], scratch
+  std::vector<Hit> hits_;                // of the last call
+  std::vector<Index> nodes_;
+  double speed_before_ = 0.0;
+};
+
+}  // namespace
+
+void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics) {
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    const RigidWall& wall = model.walls[w];
+    std::size_t behind = 0;
+    double deepest = 0.0;
+    for (const Index node : wall.nodes) {
+      const double distance =
+          base::dot(vector_at(model.mesh.nodes.position, node) - wall.origin, wall.normal);
+      const double reach = std::sqrt(base::dot(wall.origin, wall.origin)) + std::abs(distance);
+      if (wall.finite || distance >= -1e-9 * reach) continue;
+      ++behind;
+      deepest = std::min(deepest, distance);
+    }
+    if (behind > 0)
+      diagnostics.warning({}, "RIGIDWALL_PLANAR", "",
+                          std::to_string(behind) + " nodes lie behind rigid wall " + std::to_string(wall.id) +
+                              " at the start, up to " + std::to_string(-deepest) + " deep",
+                          "they may leave but not go deeper; check the direction of the wall's normal");
+    list.push_back(std::make_unique<PlanarWall>(wall, w));
+  }
+}
+
+}  // namespace cleave::solver

@@ -1,0 +1,22 @@
+#pragma once
+/// Integrals over the faces that loads and absorbing boundaries act on.
+
+#include <array>
+#include <span>
+
+#include "base/tensor.hpp"
+#include "model/mesh.hpp"
+
+namespace cleave::solver {
+
+inline bool is_triangle(const model::Segment& face) {
+  return face.node[3] == face.node[2];
+}
+
+/// Integral of N_a n dA for each corner a, N_a bilinear (2 x 2 Gauss points, exact) or linear on triangles.
+/// Corners of the same node (the third and fourth of a triangle) do not share: the fourth gets nothing.
+/// @param position [node][3] [length]
+/// @return area vectors, outward where the corners run counter-clockwise seen from outside [length^2]
+std::array<base::Vec3<double>, 4> face_vectors(const model::Segment& face, std::span<const double> position);
+
+}  // namespace cleave::solver

@@ -1,0 +1,62 @@
+/// *LOAD_BODY: the base accelerates along an axis and the body feels the opposite; or the base turns about
+/// an axis, and the body feels the centrifugal acceleration w x (x x w), without the torsion of a changing w.
+
+#include <numeric>
+
+#include "base/threads.hpp"
+#include "solver/load/kinds.hpp"
+
+namespace cleave::solver {
+namespace {
+
+using model::BodyLoad;
+using model::Vector;
+
+class BodyForce final : public Load {
+ public:
+  BodyForce(const model::Model& model, const BodyLoad& load) : model_(model), load_(load) {
+    if (load.nodes.empty()) {
+      nodes_.resize(model.mesh.nodes.count());
+      std::iota(nodes_.begin(), nodes_.end(), 0);
+    } else {
+      for (std::size_t a = 0; a < load.nodes.size(); ++a)
+        if (load.nodes[a]) nodes_.push_back(static_cast<Index>(a));
+    }
+  }
+
+  std::vector<Index> nodes() const override { return nodes_; }
+
+  void add_force(const Moment& now, std::span<double> force) override {
+    const model::Curve& curve = model_.curves[static_cast<std::size_t>(load_.curve)];
+    const double value = load_.scale * load_value(curve, now.time, now.step);
+    if (value == 0.0) return;
+    base::for_each_range(nodes_.size(), 2048, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto node = static_cast<std::size_t>(nodes_[k]);
+        const Vector f = now.mass[node] * acceleration(value, &now.position[3 * node]);
+        force[3 * node] += f.x;
+        force[3 * node + 1] += f.y;
+        force[3 * node + 2] += f.z;
+      }
+    });
+  }
+
+ private:
+  Vector acceleration(double value, const double* x) const {
+    if (!load_.rotation) return (-value) * load_.direction;
+    const Vector arm = Vector{x[0], x[1], x[2]} - load_.centre;
+    return (value * value) * (arm - base::dot(arm, load_.direction) * load_.direction);
+  }
+
+  const model::Model& model_;
+  const BodyLoad& load_;
+  std::vector<Index> nodes_;
+};
+
+}  // namespace
+
+void add_body_loads(const model::Model& model, LoadList& list) {
+  for (const BodyLoad& load : model.body_loads) list.push_back(std::make_unique<BodyForce>(model, load));
+}
+
+}  // namespace cleave::solver

@@ -1,0 +1,84 @@
+#include "solver/step_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleave::solver {
+
+using discretisation::State;
+
+double choose_step(const model::Model& model, const State& state, const StableStep& stable) {
+  const model::TimeStepControl& control = model.control.step;
+  double step = stable.step < 1.0e29 ? control.safety * stable.step : 0.01 * model.control.end.time;
+  if (control.limit_curve >= 0) {
+    const double limit = model.curves[static_cast<std::size_t>(control.limit_curve)].value(state.time);
+    if (limit > 0.0) step = std::min(step, limit);
+  }
+  if (state.cycle == 0 && control.first > 0.0) step = std::min(step, control.first);
+  return step;
+}
+
+double least_step(const model::Model& model, const State& state) {
+  return model.control.end.step_fraction * state.first_step;
+}
+
+bool MassScaling::active() const {
+  const model::TimeStepControl& control = world_.model->control.step;
+  return control.mass_scaling != 0.0;
+}
+
+base::Array<double> MassScaling::first_memory(std::size_t block) const {
+  return base::Array<double>(world_.blocks[block]->element_ids().size(), 1.0);
+}
+
+double MassScaling::wanted(double time) const {
+  const model::TimeStepControl& control = world_.model->control.step;
+  double step = std::abs(control.mass_scaling);
+  if (control.mass_scaling_curve >= 0) {  // the curve may only increase it
+    const model::Curve& curve = world_.model->curves[static_cast<std::size_t>(control.mass_scaling_curve)];
+    step = std::max(step, std::abs(curve.value(time)));
+  }
+  return step;
+}
+
+bool MassScaling::apply(State& state, const std::vector<base::Array<double>*>& factors, bool start,
+                        StableStep& stable) {
+  const model::TimeStepControl& control = world_.model->control.step;
+  const bool all = control.mass_scaling > 0.0;
+  const bool may_change = start || !control.mass_scaling_first_only;
+  const double goal = wanted(state.time);
+  stable = StableStep{};
+  mass_.assign(world_.node_count(), 0.0);
+  bool changed = false;
+  for (std::size_t b = 0; b < world_.blocks.size(); ++b) {
+    const discretisation::Block& block = *world_.blocks[b];
+    base::Array<double>& factor = *factors[b];
+    const auto ids = block.element_ids();
+    steps_.resize(ids.size());
+    change_.assign(ids.size(), 0.0);
+    block.stable_steps(state.position, state.blocks[b], steps_);
+    bool block_changed = false;
+    for (std::size_t e = 0; e < ids.size(); ++e) {
+      if (steps_[e] >= 1.0e29) continue;  // deleted
+      if (may_change) {
+        const double needed = (goal / steps_[e]) * (goal / steps_[e]);
+        const double now = all ? needed : std::max(factor[e], needed);
+        change_[e] = now - factor[e];
+        block_changed = block_changed || change_[e] != 0.0;
+        factor[e] = now;
+      }
+      const double step = steps_[e] * std::sqrt(factor[e]);
+      if (step < stable.step || (step == stable.step && ids[e] < stable.element)) stable = {step, ids[e]};
+    }
+    if (block_changed) block.add_scaled_mass(state.blocks[b], change_, mass_);
+    changed = changed || block_changed;
+  }
+  if (!changed) return false;
+  for (std::size_t a = 0; a < mass_.size(); ++a) {
+    state.mass[a] += mass_[a];
+    state.added_mass += mass_[a];
+  }
+  return true;
+}
+
+}  // namespace cleave::solver

@@ -1,0 +1,45 @@
+#pragma once
+/// The next time step: stable step, safety factor, limits of the deck, and mass scaling.
+
+#include <vector>
+
+#include "discretisation/world.hpp"
+
+namespace cleave::solver {
+
+/// What the elements allow.
+struct StableStep {
+  double step = 1.0e30;  ///< smallest of the active elements, no safety factor [time]
+  model::Id element = 0;
+};
+
+/// The step to take after t_n [time]. TSSFAC times the stable step; not above the curve LCTM; DTINIT for the
+/// first one if that is smaller. Without any element the step is a hundredth of the run.
+double choose_step(const model::Model& model, const discretisation::State& state, const StableStep& stable);
+
+/// DTMIN: the step below which the run stops, or (ERODE) the element is deleted; 0 for none [time].
+double least_step(const model::Model& model, const discretisation::State& state);
+
+/// DT2MS: elements whose step is too small get mass (DT2MS < 0), or all get the mass that makes their steps
+/// equal (DT2MS > 0). Source: the stable step grows with the square root of the density.
+class MassScaling {
+ public:
+  explicit MassScaling(const discretisation::World& world) : world_(world) {}
+  bool active() const;
+
+  /// Mass factors of the elements of one block at the start: one [element].
+  base::Array<double> first_memory(std::size_t block) const;
+  /// Adds or takes mass, and answers the stable step with it.
+  /// @param factors  per block [element], the mass of each element in units of its own
+  /// @return true if the masses of nodes changed
+  bool apply(discretisation::State& state, const std::vector<base::Array<double>*>& factors, bool start,
+             StableStep& stable);
+
+ private:
+  double wanted(double time) const;
+
+  const discretisation::World& world_;
+  std::vector<double> steps_, change_, mass_;  // scratch
+};
+
+}  // namespace cleave::solver
