@@ -40,8 +40,8 @@ class Card {
   std::span<const std::int64_t> integers(std::string_view series) const;
   std::span<const double> reals(std::string_view series) const;
 
-  Place place() const;                                              ///< the keyword line
-  Place place(std::string_view field, std::size_t row = 0) const;   ///< the field; falls back to its line
+  Place place() const;                                             ///< the keyword line
+  Place place(std::string_view field, std::size_t row = 0) const;  ///< the field; falls back to its line
 
   /// Every field name of the layout that was given a non-blank value, for "not honoured" checks.
   std::vector<std::string> given_fields() const;

@@ -36,22 +36,23 @@ class Sources {
 struct IncludeTransform {
   std::int64_t node_offset = 0, element_offset = 0, part_offset = 0, material_offset = 0, set_offset = 0,
                function_offset = 0, definition_offset = 0, other_offset = 0;
-  double mass = 1.0, time = 1.0, length = 1.0;   ///< unit factors
-  double temperature_factor = 1.0, temperature_shift = 0.0;
-  std::int64_t transformation = 0;               ///< *DEFINE_TRANSFORMATION id, 0 for none
-  Place place;                                   ///< of the *INCLUDE_TRANSFORM
+  double mass = 1.0, time = 1.0, length = 1.0;               ///< unit factors
+  double temperature_factor = 1.0, temperature_shift = 0.0;  ///< new = factor * (old + shift)
+  std::int64_t transformation = 0;                           ///< *DEFINE_TRANSFORMATION id, 0 for none
+  int parent = 0;  ///< transform around this one: its `transformation` acts after
+  Place place;     ///< of the *INCLUDE_TRANSFORM
 };
 
 /// One line of a bulk keyword (*NODE, *ELEMENT_*, *SET_* rows) split into values without allocation.
 class Row {
  public:
-  std::int64_t integer(int field) const;   ///< 0 where blank; reports a malformed number once
-  double real(int field) const;            ///< 0 where blank
+  std::int64_t integer(int field) const;  ///< 0 where blank; reports a malformed number once
+  double real(int field) const;           ///< 0 where blank
   bool given(int field) const;
-  int field_count() const;                 ///< fields present on the line
+  int field_count() const;  ///< fields present on the line
   Place place() const;
   Place place(int field) const;
-  int transform = 0;                       ///< index into Deck::transforms()
+  int transform = 0;  ///< index into Deck::transforms()
 
   struct Reader;
   Reader* reader = nullptr;
@@ -59,31 +60,34 @@ class Row {
 
 struct ReadOptions {
   std::vector<std::filesystem::path> include_paths;
+  bool follow_includes = true;  ///< false: included files are not read, without a word
 };
 
 /// One keyword occurrence, its layout known, its cards not yet expanded.
 struct Block {
-  std::string keyword;                 ///< canonical, without options
-  std::vector<std::string> options;    ///< suffixes found in the name
-  std::string written;                 ///< as in the deck
+  std::string keyword;               ///< canonical, without options
+  std::vector<std::string> options;  ///< suffixes found in the name
+  std::string written;               ///< as in the deck
   Place place;
-  int transform = 0;                   ///< index into Deck::transforms(); 0 is the identity
-  bool known = true;                   ///< false: not in the card table
-  std::size_t index = 0;               ///< position in Deck::blocks()
+  int transform = 0;      ///< index into Deck::transforms(); 0 is the identity
+  bool known = true;      ///< false: not in the card table
+  bool consumed = false;  ///< the reader itself has used it: *KEYWORD, *INCLUDE, *PARAMETER, *TITLE, ...
+  std::size_t index = 0;  ///< position in Deck::blocks()
 };
 
 class Deck {
  public:
   /// Reads the file and everything it includes. Never throws for bad text: diagnostics tell.
-  static Deck read(const std::filesystem::path& main_file, const ReadOptions& options, Diagnostics& diagnostics);
+  static Deck read(const std::filesystem::path& main_file, const ReadOptions& options,
+                   Diagnostics& diagnostics);
   /// The same from memory, for tests and fuzzing.
   static Deck read_text(std::string text, const std::string& name, const ReadOptions& options,
                         Diagnostics& diagnostics);
 
   const Sources& sources() const;
-  const std::vector<Block>& blocks() const;           ///< in reading order
+  const std::vector<Block>& blocks() const;  ///< in reading order
   const std::vector<IncludeTransform>& transforms() const;
-  std::string_view title() const;                      ///< *TITLE, or empty
+  std::string_view title() const;  ///< *TITLE, or empty
 
   /// The data sets of one occurrence; malformed fields are reported and read as their default.
   std::vector<Card> cards(const Block& block, Diagnostics& diagnostics) const;

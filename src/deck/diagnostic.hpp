@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace cleave::deck {
@@ -21,23 +22,25 @@ enum class Severity { note, warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   Place place;
-  std::string keyword;   ///< e.g. "MAT_ELASTIC"; may be empty
-  std::string field;     ///< e.g. "PR"; may be empty
-  std::string message;   ///< what is wrong: text found, what was expected
-  std::string hint;      ///< what to do instead; may be empty
+  std::string keyword;  ///< e.g. "MAT_ELASTIC"; may be empty
+  std::string field;    ///< e.g. "PR"; may be empty
+  std::string message;  ///< what is wrong: text found, what was expected
+  std::string hint;     ///< what to do instead; may be empty
 };
 
 class Sources;
 
-/// Collects diagnostics; sorts by place when printing; caps repeats of one message at a stated number.
+/// Collects diagnostics; sorts by reading order when printing; shows the first few of one kind (same
+/// severity, keyword and field) and says how many more there are. Keeps 20000 at most and counts the others.
 class Diagnostics {
  public:
   void add(Diagnostic diagnostic);
   void error(Place place, std::string keyword, std::string field, std::string message, std::string hint = {});
-  void warning(Place place, std::string keyword, std::string field, std::string message, std::string hint = {});
+  void warning(Place place, std::string keyword, std::string field, std::string message,
+               std::string hint = {});
   void note(Place place, std::string keyword, std::string field, std::string message, std::string hint = {});
 
-  bool failed() const { return error_count_ > 0; }
+  bool failed() const { return count(Severity::error) > 0; }
   std::size_t count(Severity severity) const;
   const std::vector<Diagnostic>& all() const { return all_; }
 
@@ -46,7 +49,9 @@ class Diagnostics {
 
  private:
   std::vector<Diagnostic> all_;
-  std::size_t error_count_ = 0;
+  std::unordered_set<std::size_t> seen_;  ///< hashes, so that nothing is said twice
+  std::size_t counts_[3] = {0, 0, 0};
+  std::size_t dropped_ = 0;  ///< counted but not kept
 };
 
 }  // namespace cleave::deck

@@ -10,8 +10,8 @@ namespace cleave::deck {
 
 struct FieldLayout {
   std::string_view name;
-  int offset = 0, width = 0;      ///< columns, from 0, in the standard format
-  char type = 'F';                ///< I, F or A
+  int offset = 0, width = 0;  ///< columns, from 0, in the standard format
+  char type = 'F';            ///< I, F or A
   bool has_default = false;
   double default_value = 0.0;     ///< for I and F
   std::string_view default_text;  ///< for A

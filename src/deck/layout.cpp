@@ -1,0 +1,19 @@
+#include "deck/layout.hpp"
+
+#include "deck/layout_table.hpp"
+
+namespace cleave::deck {
+
+std::vector<FieldLayout> fields_of(std::string_view canonical) {
+  std::vector<FieldLayout> list;
+  const table::Keyword* keyword = table::find(canonical);
+  if (keyword == nullptr) return list;
+  for (std::size_t i = 0; i < keyword->field_count; ++i) {
+    const table::Field& f = table::field(*keyword, i);
+    list.push_back(
+        {table::first_name(f.name), f.offset, f.width, f.type, f.has_default, f.number, f.text, f.meaning});
+  }
+  return list;
+}
+
+}  // namespace cleave::deck

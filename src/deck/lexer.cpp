@@ -1,0 +1,121 @@
+#include "deck/lexer.hpp"
+
+#include <algorithm>
+
+namespace cleave::deck {
+namespace {
+
+constexpr std::uint16_t long_text = 40;  ///< wider text columns are titles and file names
+
+bool is_long_text(const table::Field& f) {
+  return f.type == 'A' && f.width >= long_text;
+}
+
+}  // namespace
+
+std::string expand_tabs(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c != '\t')
+      result += c;
+    else
+      result.append(8 - result.size() % 8, ' ');
+  }
+  return result;
+}
+
+std::size_t find_comma(std::string_view text) {
+  std::size_t at = text.find_first_of(",<");
+  while (at != std::string_view::npos && text[at] == '<') {
+    const std::size_t close = text.find('>', at);
+    if (close == std::string_view::npos) return text.find(',', at);
+    at = text.find_first_of(",<", close);
+  }
+  return at;
+}
+
+void FieldCutter::cut(std::string_view line, const table::Field* fields, std::size_t count, Format format) {
+  line_ = line;
+  fields_ = fields;
+  count_ = count;
+  format_ = format;
+  comma_ = false;
+  pieces_.clear();
+  rest_ = {};
+  if (count == 0 || is_long_text(fields[0])) return;
+  const table::Field& last = fields[count - 1];
+  const Columns end = columns_of(last, format);
+  // A comma behind the columns is a remark; one inside a heading belongs to it.
+  const std::size_t reach = is_long_text(last) ? end.offset : end.offset + end.width;
+  const std::size_t comma = find_comma(line.substr(0, reach));
+  if (comma == std::string_view::npos) return;
+  comma_ = true;
+
+  // No more pieces than fields, however long the line is; a text at the end takes all that is left.
+  const std::size_t most = std::size_t{last.comma} + 1;
+  rest_ = line;
+  while (pieces_.size() < most) {
+    const std::size_t stop =
+        pieces_.size() + 1 == most && is_long_text(last) ? std::string_view::npos : find_comma(rest_);
+    pieces_.push_back(rest_.substr(0, stop));
+    if (stop == std::string_view::npos) {
+      rest_ = {};
+      break;
+    }
+    rest_.remove_prefix(stop + 1);
+  }
+}
+
+bool FieldCutter::cut_at_blanks() {
+  if (comma_ || count_ == 0 || is_long_text(fields_[count_ - 1])) return false;
+  std::vector<std::string_view> values;
+  bool own_columns = true;
+  for (std::size_t at = line_.find_first_not_of(' '); at != std::string_view::npos;
+       at = line_.find_first_not_of(' ', at)) {
+    const std::size_t k = values.size(), stop = std::min(line_.find(' ', at), line_.size());
+    if (k == count_ || fields_[k].comma != k) return false;
+    const std::string_view value = line_.substr(at, stop - at);
+    double real = 0.0;
+    std::int64_t integer = 0;
+    if (fields_[k].type == 'F' && parse_real(value, real) != NumberState::good) return false;
+    if (fields_[k].type == 'I' && parse_integer(value, integer) != NumberState::good) return false;
+    const Columns columns = columns_of(fields_[k], format_);
+    own_columns = own_columns && at < columns.offset + columns.width && stop > columns.offset;
+    values.push_back(value);
+    at = stop;
+  }
+  if (values.empty() || (!own_columns && values.size() != count_)) return false;
+  comma_ = true;
+  pieces_ = std::move(values);
+  rest_ = {};
+  return true;
+}
+
+Slice FieldCutter::slice(std::size_t n) const {
+  const table::Field& f = fields_[n];
+  if (comma_) {
+    if (f.comma >= pieces_.size()) return {{}, static_cast<int>(line_.size()) + 1, 1};
+    const std::string_view raw = pieces_[f.comma], value = trim(raw);
+    const char* const at = value.empty() ? raw.data() : value.data();
+    return {value, static_cast<int>(at - line_.data()) + 1, std::max(1, static_cast<int>(value.size()))};
+  }
+  const Columns columns = columns_of(f, format_);
+  const std::string_view value =
+      columns.offset < line_.size() ? trim(line_.substr(columns.offset, columns.width)) : std::string_view();
+  return {value, static_cast<int>(columns.offset) + 1, static_cast<int>(columns.width)};
+}
+
+std::size_t count_values(std::string_view line, const table::Field* fields, std::size_t count,
+                         Format format) {
+  FieldCutter cutter;
+  cutter.cut(line, fields, count, format);
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view value = cutter.slice(i).text;
+    const bool number = begins_value(value);  // a remark behind the values is none
+    if (fields[i].type != 'A' ? number : !value.empty()) given = i + 1;
+  }
+  return given;
+}
+
+}  // namespace cleave::deck
