@@ -1,9 +1,9 @@
 #pragma once
 /// The scalar equation of radial return where it has no closed form:
 ///   q = stiffness x + flow_stress(x),  x > 0 the increment of effective plastic strain,
-/// q the trial stress beyond which the point flows. Newton's method in u = ln x: there every hardening and
-/// rate law used here is convex, so that iterates started above the root fall monotonically to it; a bracket
-/// catches curves that are not. The number of iterations is fixed: no lane waits for another.
+/// q the trial stress beyond which the point flows. Newton's method in u = ln x: there the smooth hardening
+/// and rate laws used here are convex, so that iterates started above the root fall monotonically to it; a
+/// bracket catches curves that are not. The number of iterations is fixed: no lane waits for another.
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,56 @@
 
 namespace cleave::model {
 
-/// Static flow stress that is linear in the increment: radius + slope x. `slope` may vary from point to
-/// point.
-template <class Real, class Slope = double>
+/// What the rate of flow does to a static flow stress h: factor h + addition; slopes are d/du.
+template <class Real>
+struct RateTerm {
+  Real factor, factor_slope, addition, addition_slope;
+};
+
+/// No rate law besides the hardening, which may itself depend on the increment's rate.
+struct NoRate {
+  template <class Real>
+  RateTerm<Real> term(const Real&) const {
+    return {Real(1.0), Real(0.0), Real(0.0), Real(0.0)};
+  }
+  template <class Real>
+  Real bound(const Real&, const Real&) const {
+    return Real(1e300);
+  }
+};
+
+/// Cowper and Symonds: a factor 1 + (x / (C dt))^(1/P), or, with a stress S, the addition S (x / (C
+/// dt))^(1/P).
+class CowperSymondsFlow {
+ public:
+  CowperSymondsFlow(const CowperSymonds& law, double dt, double stress = 0.0)
+      : log_reference_(std::log(std::max(law.reference * dt, 1e-250))),
+        exponent_(law.exponent),
+        stress_(stress) {}
+
+  template <class Real>
+  RateTerm<Real> term(const Real& u) const {
+    const Real over = exp((u - Real(log_reference_)) * Real(1.0 / exponent_));
+    const Real slope = over * Real(1.0 / exponent_);
+    if (stress_ > 0.0) return {Real(1.0), Real(0.0), Real(stress_) * over, Real(stress_) * slope};
+    return {Real(1.0) + over, slope, Real(0.0), Real(0.0)};
+  }
+  /// ln x at which the rate alone takes the static stress `start` up to q.
+  template <class Real>
+  Real bound(const Real& q, const Real& start) const {
+    const Real over = stress_ > 0.0 ? (q - start) * Real(1.0 / stress_) : q / positive(start) - Real(1.0);
+    return Real(log_reference_) + Real(exponent_) * log(positive(over));
+  }
+
+ private:
+  double log_reference_, exponent_, stress_;
+};
+
+/// Static flow stress that is linear in the increment: radius + slope x.
+template <class Real>
 struct LinearHardening {
-  Real radius;  ///< at the begin of the step [stress]
-  Slope slope_value;
+  Real radius;         ///< at the begin of the step [stress]
+  double slope_value;  ///< [stress]
 
   Real start() const { return radius; }
   Real value(const Real& x) const { return radius + Real(slope_value) * x; }
@@ -26,57 +70,28 @@ struct LinearHardening {
   Real bound(const Real&) const { return Real(1e300); }
 };
 
-/// 1 + (x / (C dt))^(1/P), a factor on the static flow stress.
-class CowperSymondsFlow {
- public:
-  CowperSymondsFlow(const CowperSymonds& law, double dt)
-      : log_reference_(std::log(std::max(law.reference * dt, 1e-250))), exponent_(law.exponent) {}
-
-  template <class Real>
-  Real overstress(const Real& u) const {
-    return exp((u - Real(log_reference_)) * Real(1.0 / exponent_));
-  }
-  template <class Real>
-  Real factor(const Real& u) const {
-    return Real(1.0) + overstress(u);
-  }
-  /// d factor / du.
-  template <class Real>
-  Real slope(const Real& u) const {
-    return overstress(u) * Real(1.0 / exponent_);
-  }
-  /// ln x at which the factor alone takes up the ratio q / static stress.
-  template <class Real>
-  Real bound(const Real& ratio) const {
-    return Real(log_reference_) + Real(exponent_) * log(positive(ratio - Real(1.0)));
-  }
-
- private:
-  double log_reference_, exponent_;
-};
-
-/// Increment of effective plastic strain for a flow stress hardening(x) * rate(x); 0 where q is not beyond
-/// the static one. Relative accuracy near roundoff.
-template <class Real, class Hardening, class RateLaw>
+/// Increment of effective plastic strain; 0 where q is not beyond the static flow stress. Relative accuracy
+/// near roundoff for smooth laws in 10 iterations.
+template <int iteration_count = 10, class Real, class Hardening, class RateLaw>
 Real viscoplastic_flow(const Real& q, double stiffness, const Hardening& hardening, const RateLaw& rate) {
-  constexpr int iteration_count = 10;
   const Real start = hardening.start(), excess = q - start;
   const auto flows = excess > Real(0.0);
   if (!any(flows)) return Real(0.0);
 
   // Three increments of which each alone would take up the excess: the root lies below the least.
   Real u = log(positive(min(excess * Real(1.0 / stiffness), hardening.bound(q))));
-  u = min(u, rate.bound(q / positive(start)));
+  u = min(u, rate.bound(q, start));
   Real high = u, low = u - Real(60.0);
   for (int i = 0; i < iteration_count; ++i) {
-    const Real x = exp(u), h = hardening.value(x), r = rate.factor(u);
-    const Real residual = q - Real(stiffness) * x - h * r;
-    const Real slope = -((Real(stiffness) + hardening.slope(x) * r) * x + h * rate.slope(u));
+    const Real x = exp(u), h = hardening.value(x);
+    const auto r = rate.term(u);
+    const Real residual = q - Real(stiffness) * x - h * r.factor - r.addition;
+    const Real slope =
+        (Real(stiffness) + hardening.slope(x) * r.factor) * x + h * r.factor_slope + r.addition_slope;
     const auto above = residual <= Real(0.0);
     high = select(above, u, high);
     low = select(above, low, u);
-    const Real next = u - residual / min(slope, Real(-1e-300));
-    const Real margin(1e-9);
+    const Real next = u + residual / positive(slope), margin(1e-9);
     const auto outside = (next < low - margin) | (next > high + margin);
     u = select(outside, Real(0.5) * (low + high), next);
   }

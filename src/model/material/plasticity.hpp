@@ -62,6 +62,15 @@ Real flag(const Mask& reached) {
   return select(reached, Real(1.0), Real(0.0));
 }
 
+/// Does the element's own step, length / sqrt(modulus / density), fall below the least one allowed? Asks for
+/// modulus to be set already. @param density in the reference state [mass/length^3]
+template <class P>
+auto step_below(const P& p, double density, double least_step) {
+  using Real = typename P::Scalar;
+  // L^2 rho < t^2 modulus, with rho = density / J: no root, no division.
+  return p.length * p.length * Real(density) < p.volume_ratio * p.modulus * Real(least_step * least_step);
+}
+
 /// Cowper and Symonds' rate law, C and P of the cards; C = 0 switches it off.
 struct CowperSymonds {
   double reference = 0.0, exponent = 1.0;  ///< [1/time], [-]
