@@ -1,0 +1,101 @@
+#include "results/snapshot.hpp"
+
+#include "base/threads.hpp"
+
+namespace cleave::results {
+namespace {
+
+constexpr std::size_t grain = 8192;
+
+/// Sums over nodes in ranges of fixed size, then over the ranges in order: the same bits for any thread
+/// count.
+/// @param node_of  entry -> node
+/// @param mass_of  entry -> mass
+template <class NodeOf, class MassOf>
+Motion sum(std::size_t count, std::span<const double> velocity, const NodeOf& node_of,
+           const MassOf& mass_of) {
+  std::vector<Motion> ranges((count + grain - 1) / grain);
+  base::for_each_range(count, grain, [&](std::size_t begin, std::size_t end) {
+    Motion range;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double* v = &velocity[3 * node_of(i)];
+      const double m = mass_of(i);
+      range.mass += m;
+      for (int k = 0; k < 3; ++k) range.momentum[k] += m * v[k];
+      range.kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    ranges[begin / grain] = range;
+  });
+  Motion all;
+  for (const Motion& range : ranges) {
+    all.mass += range.mass;
+    for (int k = 0; k < 3; ++k) all.momentum[k] += range.momentum[k];
+    all.kinetic += range.kinetic;
+  }
+  return all;
+}
+
+}  // namespace
+
+Masses::Masses(const discretisation::World& world)
+    : parts_(world.model->parts.size()), node_(world.node_count(), 0.0) {
+  const base::Array<double> reference(world.model->mesh.nodes.position.begin(),
+                                      world.model->mesh.nodes.position.end());
+  // From the reference state, not the current one: a restarted run must find the same shares.
+  std::vector<std::vector<double>> of_part(parts_.size());
+  for (const auto& block : world.blocks) {
+    discretisation::BlockState fresh;
+    if (!block->initialise(reference, fresh).ok) continue;  // the run itself has refused this state
+    auto& mass = of_part[static_cast<std::size_t>(block->part())];
+    mass.resize(node_.size(), 0.0);
+    block->add_mass(fresh, mass);
+  }
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    for (std::size_t a = 0; a < of_part[p].size(); ++a)
+      if (of_part[p][a] > 0.0) {
+        parts_[p].node.push_back(static_cast<model::Index>(a));
+        parts_[p].mass.push_back(of_part[p][a]);
+        parts_[p].total += of_part[p][a];
+        node_[a] += of_part[p][a];
+      }
+  element_mass_ = node_;
+  for (const model::PointMass& point : world.model->point_masses)
+    node_[static_cast<std::size_t>(point.node)] += point.mass;
+  for (const double m : node_) total_ += m;
+}
+
+const Motion& Snapshot::whole() const {
+  if (!have_whole_) {
+    const double* mass = state().mass.data();
+    whole_ = sum(
+        state().mass.size(), frame_.velocity, [](std::size_t a) { return a; },
+        [mass](std::size_t a) { return mass[a]; });
+    have_whole_ = true;
+  }
+  return whole_;
+}
+
+const std::vector<Motion>& Snapshot::parts() const {
+  if (!parts_.empty()) return parts_;
+  const double* now = state().mass.data();
+  const double *base = masses_.node().data(), *elements = masses_.elements_of_node().data();
+  const bool scaled = state().added_mass != 0.0;
+  for (const Masses::Part& part : masses_.parts()) {
+    const auto node_of = [&](std::size_t i) { return static_cast<std::size_t>(part.node[i]); };
+    // Mass added by scaling is shared like the element masses at the node.
+    const auto mass_of = [&](std::size_t i) {
+      const std::size_t a = node_of(i);
+      return scaled ? part.mass[i] * (1.0 + (now[a] - base[a]) / elements[a]) : part.mass[i];
+    };
+    parts_.push_back(sum(part.node.size(), frame_.velocity, node_of, mass_of));
+  }
+  return parts_;
+}
+
+const discretisation::Memory* find_memory(const discretisation::State& state, std::string_view name) {
+  for (const discretisation::Memory& memory : state.memory)
+    if (memory.name == name) return &memory;
+  return nullptr;
+}
+
+}  // namespace cleave::results

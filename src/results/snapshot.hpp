@@ -1,0 +1,63 @@
+#pragma once
+/// A frame of the solver with the sums that several writers need, computed once.
+
+#include <span>
+#include <vector>
+
+#include "solver/solver.hpp"
+
+namespace cleave::results {
+
+/// Mass, momentum and kinetic energy of a set of nodes.
+struct Motion {
+  double mass = 0.0;
+  double momentum[3] = {0, 0, 0};
+  double kinetic = 0.0;  ///< half m v^2 with the velocity at t_n [energy]
+};
+
+/// Which share of each node's mass belongs to which part; fixed for the whole run.
+class Masses {
+ public:
+  explicit Masses(const discretisation::World& world);
+
+  struct Part {
+    std::vector<model::Index> node;  ///< nodes of the part's elements, ascending
+    std::vector<double> mass;        ///< of the elements, lumped to these nodes, before mass scaling [mass]
+    double total = 0.0;
+  };
+  const std::vector<Part>& parts() const { return parts_; }
+  /// Element and point masses of a node before mass scaling [node] [mass].
+  const std::vector<double>& node() const { return node_; }
+  const std::vector<double>& elements_of_node() const { return element_mass_; }
+  double total() const { return total_; }
+
+ private:
+  std::vector<Part> parts_;
+  std::vector<double> node_, element_mass_;
+  double total_ = 0.0;
+};
+
+class Snapshot {
+ public:
+  Snapshot(const solver::Frame& frame, const Masses& masses) : frame_(frame), masses_(masses) {}
+
+  const solver::Frame& frame() const { return frame_; }
+  const model::Model& model() const { return frame_.model; }
+  const discretisation::State& state() const { return frame_.state; }
+  const Masses& masses() const { return masses_; }
+
+  const Motion& whole() const;               ///< all nodes of the model
+  const std::vector<Motion>& parts() const;  ///< shared nodes count with the part's share of their mass
+
+ private:
+  const solver::Frame& frame_;
+  const Masses& masses_;
+  mutable bool have_whole_ = false;
+  mutable Motion whole_;
+  mutable std::vector<Motion> parts_;
+};
+
+/// Memory entry of a name in a state restarted from; null when there is none.
+const discretisation::Memory* find_memory(const discretisation::State& state, std::string_view name);
+
+}  // namespace cleave::results

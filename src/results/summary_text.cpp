@@ -1,0 +1,97 @@
+#include <sys/resource.h>
+
+#include "base/threads.hpp"
+#include "results/summary.hpp"
+#include "results/text.hpp"
+
+namespace cleave::results {
+namespace {
+
+/// One part: its mass, then a line per axis with length and diameter before and after.
+void append_part(std::string& out, const model::Part& part, double mass, const Extent& before,
+                 const Extent& after, const PartAxes& axes) {
+  append_format(out, "\npart %lld  %s: %zu elements, mass %.6g", static_cast<long long>(part.id),
+                part.title.c_str(), before.elements, mass);
+  if (after.elements < before.elements) append_format(out, ", %zu eroded", before.elements - after.elements);
+  out += "\n  axis      length before        after   change    diameter before        after   change\n";
+  const auto change = [](double from, double to) { return from > 0.0 ? 100.0 * (to / from - 1.0) : 0.0; };
+  for (int k = 0; k < 3; ++k) {
+    append_format(out, "  %c          %12.6g %12.6g %+7.2f%%       %12.6g %12.6g %+7.2f%%\n", "xyz"[k],
+                  before.length(k), after.length(k), change(before.length(k), after.length(k)),
+                  before.diameter[k], after.diameter[k], change(before.diameter[k], after.diameter[k]));
+  }
+  for (int k = 0; k < 3; ++k)
+    if (axes.symmetry[k])
+      append_format(out, "  symmetric about the plane %c = %.6g; the diameters count the other half\n",
+                    "xyz"[k], axes.centre[k]);
+}
+
+}  // namespace
+
+std::string Summary::text(const solver::Outcome& outcome) const {
+  std::string out = "\n";
+  const auto line = [&](const char* label) { append_format(out, "%-14s", label); };
+  line(is_normal(ending_) ? "ended" : "STOPPED");
+  append_format(out, "%s, at time %.6g after %lld cycles\n", std::string(describe(ending_)).c_str(), time_,
+                static_cast<long long>(cycles_));
+  if (!status_.ok) {
+    line("");
+    append_format(out, "element %lld: %s\n", static_cast<long long>(status_.element), status_.what.c_str());
+    if (!status_.likely_cause.empty()) {
+      line("");
+      out += status_.likely_cause + '\n';
+    }
+  }
+  line("time step");
+  append_format(out, "%.4g at last, between %.4g and %.4g\n", last_step_, step_.low, step_.high);
+  line("energies");
+  append_format(out, "kinetic %.6g, internal %.6g, hourglass %.4g, external work %.6g\n", energy_.kinetic,
+                energy_.internal, energy_.hourglass, energy_.external);
+  line("");
+  append_format(out, "total %.6g, ratio %.5f (%.5f to %.5f)\n", energy_.total(), energy_.ratio(), ratio_.low,
+                ratio_.high);
+  if (energy_.wall != 0.0 || energy_.damping != 0.0 || energy_.sliding != 0.0) {
+    line("");
+    append_format(out, "walls %.4g, damping %.4g, contact %.4g\n", energy_.wall, energy_.damping,
+                  energy_.sliding);
+  }
+  if (energy_.eroded_internal != 0.0 || energy_.eroded_kinetic != 0.0) {
+    line("");
+    append_format(out, "eroded: kinetic %.4g, internal %.4g, hourglass %.4g\n", energy_.eroded_kinetic,
+                  energy_.eroded_internal, energy_.eroded_hourglass);
+  }
+  if (added_mass_ > 0.0) {
+    line("added mass");
+    append_format(out, "%.4g (%.3f %%)\n", added_mass_,
+                  base_mass_ > 0.0 ? 100.0 * added_mass_ / base_mass_ : 0.0);
+  }
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    if (parts_[p].before.elements > 0)
+      append_part(out, context_.model.parts[p], parts_[p].mass, parts_[p].before, parts_[p].after,
+                  parts_[p].axes);
+
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  out += '\n';
+  line("speed");
+  const double rate = outcome.seconds > 0.0 ? outcome.element_cycles / outcome.seconds : 0.0;
+  append_format(out, "%s element-cycles/s", count_text(rate).c_str());
+  if (rate > 0.0) append_format(out, " (%.0f ns each)", 1.0e9 / rate);
+  append_format(out, " on %d thread%s, %s in all, %.0f MB\n", base::thread_count(),
+                base::thread_count() == 1 ? "" : "s", duration(outcome.seconds).c_str(),
+                static_cast<double>(usage.ru_maxrss) / 1024.0);
+  if (!outcome.phases.empty() && outcome.seconds > 0.0) {
+    line("");
+    for (std::size_t i = 0; i < outcome.phases.size(); ++i)
+      append_format(out, "%s%s %.1f %%", i ? ", " : "", outcome.phases[i].name.c_str(),
+                    100.0 * outcome.phases[i].seconds / outcome.seconds);
+    out += '\n';
+  }
+  if (context_.trouble.any()) {
+    line("FILES");
+    out += context_.trouble.what() + '\n';
+  }
+  return out;
+}
+
+}  // namespace cleave::results

@@ -1,0 +1,242 @@
+#include "results/vtu.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+
+#include "results/files.hpp"
+#include "results/text.hpp"
+
+namespace cleave::results {
+namespace {
+
+using model::Index;
+using model::Shape;
+
+static_assert(std::endian::native == std::endian::little, "the file head says LittleEndian");
+
+/// VTK cell types (vtkCellType.h) and the order in which VTK wants our nodes.
+struct Cell {
+  std::uint8_t type;
+  int nodes;
+  const int* order;
+};
+
+/// VTK's wedge has the normal of its first triangle pointing out of the element, ours points in.
+constexpr int wedge_order[6] = {0, 2, 1, 3, 5, 4};
+constexpr int same_order[10] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+
+Cell cell_of(Shape shape, const Index* node) {
+  switch (shape) {
+    case Shape::hex8:
+      // A hexahedron with its upper face drawn to one point is a pyramid.
+      if (node[4] == node[5] && node[5] == node[6] && node[6] == node[7]) return {14, 5, same_order};
+      return {12, 8, same_order};
+    case Shape::penta6:
+      return {13, 6, wedge_order};
+    case Shape::tet4:
+      return {10, 4, same_order};
+    case Shape::tet10:
+      return {24, 10, same_order};
+  }
+  return {};
+}
+
+/// Collects the arrays of the head while their sizes are added up, then streams the data in the same order.
+class Arrays {
+ public:
+  using Fill = std::function<void(WholeFile&)>;
+
+  void add(std::string& xml, const char* type, const std::string& name, int components, std::uint64_t bytes,
+           Fill fill) {
+    append_format(xml, "<DataArray type=\"%s\" Name=\"", type);
+    for (const char c : name) xml += std::string_view("\"<>&").find(c) == std::string_view::npos ? c : '_';
+    append_format(xml, "\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n", components,
+                  static_cast<unsigned long long>(offset_));
+    offset_ += bytes + sizeof(std::uint64_t);
+    parts_.push_back({bytes, std::move(fill)});
+  }
+  void write(WholeFile& file) const {
+    for (const auto& [bytes, fill] : parts_) {
+      file.write(&bytes, sizeof bytes);
+      fill(file);
+    }
+  }
+
+ private:
+  std::uint64_t offset_ = 0;
+  std::vector<std::pair<std::uint64_t, Fill>> parts_;
+};
+
+/// The living elements of one frame and the nodes they use.
+class Grid {
+ public:
+  Grid(const solver::Frame& frame, bool doubles) : frame_(frame), doubles_(doubles) {
+    used_.assign(frame.world.node_count(), -1);
+    for (std::size_t b = 0; b < frame.world.blocks.size(); ++b) {
+      const discretisation::Block& block = *frame.world.blocks[b];
+      alive_.emplace_back(block, frame.state.blocks[b]);
+      each_alive(b, [&](std::size_t, const Index* node) {
+        const Cell cell = cell_of(block.shape(), node);
+        connectivity_count_ += static_cast<std::size_t>(cell.nodes);
+        for (int a = 0; a < cell.nodes; ++a) used_[static_cast<std::size_t>(node[a])] = 0;
+      });
+      cell_count_ += alive_.back().count();
+    }
+    // Points keep the order of the model's nodes.
+    for (std::size_t a = 0; a < used_.size(); ++a)
+      if (used_[a] == 0) {
+        used_[a] = static_cast<std::int64_t>(points_.size());
+        points_.push_back(a);
+      }
+  }
+
+  std::string write(const std::filesystem::path& path) {
+    Arrays arrays;
+    const std::string head = describe(arrays);
+    WholeFile file(path);
+    file.write(head);
+    arrays.write(file);
+    file.write("\n</AppendedData>\n</VTKFile>\n");
+    return file.commit();
+  }
+
+ private:
+  std::string describe(Arrays& arrays) {
+    std::string xml =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+        "byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
+    xml += "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">";
+    append_shortest(xml, frame_.state.time);
+    xml += "</DataArray>\n<DataArray type=\"Int64\" Name=\"cycle\" NumberOfTuples=\"1\" format=\"ascii\">";
+    xml += std::to_string(frame_.state.cycle) + "</DataArray>\n</FieldData>\n";
+    append_format(xml, "<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n", points_.size(), cell_count_);
+    describe_points(xml, arrays);
+    describe_cells(xml, arrays);
+    xml += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    return xml;
+  }
+
+  void describe_points(std::string& xml, Arrays& arrays) {
+    const std::vector<double>& reference = frame_.model.mesh.nodes.position;
+    const auto& position = frame_.state.position;
+    xml += "<PointData Vectors=\"displacement\">\n";
+    arrays.add(xml, "Int64", "node_id", 1, 8 * points_.size(), [this](WholeFile& file) {
+      for (const std::size_t a : points_) file.write(&frame_.model.mesh.nodes.id[a], 8);
+    });
+    nodal(xml, arrays, "displacement", [&](std::size_t i) { return position[i] - reference[i]; });
+    nodal(xml, arrays, "velocity", [this](std::size_t i) { return frame_.velocity[i]; });
+    nodal(xml, arrays, "acceleration", [this](std::size_t i) { return frame_.acceleration[i]; });
+    xml += "</PointData>\n<Points>\n";
+    nodal(xml, arrays, "Points", [&](std::size_t i) { return position[i]; });
+    xml += "</Points>\n";
+  }
+
+  void describe_cells(std::string& xml, Arrays& arrays) {
+    xml += "<CellData Scalars=\"effective_plastic_strain\">\n";
+    const auto ids = [&](const char* name, auto id_of) {
+      arrays.add(xml, "Int64", name, 1, 8 * cell_count_, [this, id_of](WholeFile& file) {
+        for (std::size_t b = 0; b < alive_.size(); ++b)
+          each_alive(b, [&](std::size_t e, const Index*) {
+            const std::int64_t id = id_of(*frame_.world.blocks[b], e);
+            file.write(&id, 8);
+          });
+      });
+    };
+    ids("part_id", [this](const discretisation::Block& block, std::size_t) {
+      return frame_.model.parts[static_cast<std::size_t>(block.part())].id;
+    });
+    ids("element_id",
+        [](const discretisation::Block& block, std::size_t e) { return block.element_ids()[e]; });
+    for (const Quantity& quantity : element_quantities(frame_.world)) {
+      const std::size_t size = static_cast<std::size_t>(quantity.size);
+      arrays.add(xml, real_type(), quantity.name, quantity.size, real_bytes() * size * cell_count_,
+                 [this, quantity, size](WholeFile& file) {
+                   std::vector<double> values;
+                   for (std::size_t b = 0; b < alive_.size(); ++b) {
+                     evaluate(quantity, *frame_.world.blocks[b], frame_.state.position,
+                              frame_.state.blocks[b], values);
+                     each_alive(b, [&](std::size_t e, const Index*) {
+                       for (std::size_t k = 0; k < size; ++k) real(file, values[size * e + k]);
+                     });
+                   }
+                 });
+    }
+    xml += "</CellData>\n<Cells>\n";
+    arrays.add(xml, "Int64", "connectivity", 1, 8 * connectivity_count_, [this](WholeFile& file) {
+      each_cell([&](const Cell& cell, const Index* node) {
+        for (int a = 0; a < cell.nodes; ++a)
+          file.write(&used_[static_cast<std::size_t>(node[cell.order[a]])], 8);
+      });
+    });
+    arrays.add(xml, "Int64", "offsets", 1, 8 * cell_count_, [this](WholeFile& file) {
+      std::int64_t end = 0;
+      each_cell([&](const Cell& cell, const Index*) {
+        end += cell.nodes;
+        file.write(&end, 8);
+      });
+    });
+    arrays.add(xml, "UInt8", "types", 1, cell_count_, [this](WholeFile& file) {
+      each_cell([&](const Cell& cell, const Index*) { file.write(&cell.type, 1); });
+    });
+    xml += "</Cells>\n";
+  }
+
+  /// A vector per node; value_of takes 3 * node + component.
+  template <class ValueOf>
+  void nodal(std::string& xml, Arrays& arrays, const char* name, ValueOf value_of) {
+    arrays.add(xml, real_type(), name, 3, 3 * real_bytes() * points_.size(),
+               [this, value_of](WholeFile& file) {
+                 for (const std::size_t a : points_)
+                   for (std::size_t k = 0; k < 3; ++k) real(file, value_of(3 * a + k));
+               });
+  }
+
+  template <class Visit>
+  void each_alive(std::size_t b, const Visit& visit) const {
+    const discretisation::Block& block = *frame_.world.blocks[b];
+    const std::size_t count = block.element_ids().size();
+    const std::size_t nodes = static_cast<std::size_t>(model::nodes_of(block.shape()));
+    const Index* connectivity = block.connectivity().data();
+    for (std::size_t e = 0; e < count; ++e)
+      if (alive_[b][e]) visit(e, connectivity + nodes * e);
+  }
+  template <class Visit>
+  void each_cell(const Visit& visit) const {
+    for (std::size_t b = 0; b < alive_.size(); ++b)
+      each_alive(b, [&](std::size_t, const Index* node) {
+        visit(cell_of(frame_.world.blocks[b]->shape(), node), node);
+      });
+  }
+
+  const char* real_type() const { return doubles_ ? "Float64" : "Float32"; }
+  std::size_t real_bytes() const { return doubles_ ? 8 : 4; }
+  void real(WholeFile& file, double value) const {
+    if (doubles_) {
+      file.write(&value, 8);
+      return;
+    }
+    // Beyond the range of float32: the largest one, so that colour scales stay finite.
+    constexpr double largest = 3.4e38;
+    const float narrow =
+        static_cast<float>(std::isfinite(value) ? std::clamp(value, -largest, largest) : value);
+    file.write(&narrow, 4);
+  }
+
+  const solver::Frame& frame_;
+  bool doubles_;
+  std::vector<Alive> alive_;         // of each block
+  std::vector<std::int64_t> used_;   // node -> point, -1 for none
+  std::vector<std::size_t> points_;  // point -> node
+  std::size_t cell_count_ = 0, connectivity_count_ = 0;
+};
+
+}  // namespace
+
+std::string write_vtu(const std::filesystem::path& path, const solver::Frame& frame, bool doubles) {
+  return Grid(frame, doubles).write(path);
+}
+
+}  // namespace cleave::results
