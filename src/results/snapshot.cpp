@@ -1,5 +1,7 @@
 #include "results/snapshot.hpp"
 
+#include <algorithm>
+
 #include "base/threads.hpp"
 
 namespace cleave::results {
@@ -38,7 +40,9 @@ Motion sum(std::size_t count, std::span<const double> velocity, const NodeOf& no
 }  // namespace
 
 Masses::Masses(const discretisation::World& world)
-    : parts_(world.model->parts.size()), node_(world.node_count(), 0.0) {
+    : parts_(world.model->parts.size()),
+      elements_(world.node_count(), 0.0),
+      points_(world.node_count(), 0.0) {
   const base::Array<double> reference(world.model->mesh.nodes.position.begin(),
                                       world.model->mesh.nodes.position.end());
   // From the reference state, not the current one: a restarted run must find the same shares.
@@ -47,7 +51,7 @@ Masses::Masses(const discretisation::World& world)
     discretisation::BlockState fresh;
     if (!block->initialise(reference, fresh).ok) continue;  // the run itself has refused this state
     auto& mass = of_part[static_cast<std::size_t>(block->part())];
-    mass.resize(node_.size(), 0.0);
+    mass.resize(elements_.size(), 0.0);
     block->add_mass(fresh, mass);
   }
   for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -56,12 +60,11 @@ Masses::Masses(const discretisation::World& world)
         parts_[p].node.push_back(static_cast<model::Index>(a));
         parts_[p].mass.push_back(of_part[p][a]);
         parts_[p].total += of_part[p][a];
-        node_[a] += of_part[p][a];
+        elements_[a] += of_part[p][a];
       }
-  element_mass_ = node_;
   for (const model::PointMass& point : world.model->point_masses)
-    node_[static_cast<std::size_t>(point.node)] += point.mass;
-  for (const double m : node_) total_ += m;
+    points_[static_cast<std::size_t>(point.node)] += point.mass;
+  for (std::size_t a = 0; a < elements_.size(); ++a) total_ += elements_[a] + points_[a];
 }
 
 const Motion& Snapshot::whole() const {
@@ -78,14 +81,13 @@ const Motion& Snapshot::whole() const {
 const std::vector<Motion>& Snapshot::parts() const {
   if (!parts_.empty()) return parts_;
   const double* now = state().mass.data();
-  const double *base = masses_.node().data(), *elements = masses_.elements_of_node().data();
-  const bool scaled = state().added_mass != 0.0;
+  const double *elements = masses_.elements().data(), *points = masses_.points().data();
   for (const Masses::Part& part : masses_.parts()) {
     const auto node_of = [&](std::size_t i) { return static_cast<std::size_t>(part.node[i]); };
-    // Mass added by scaling is shared like the element masses at the node.
     const auto mass_of = [&](std::size_t i) {
       const std::size_t a = node_of(i);
-      return scaled ? part.mass[i] * (1.0 + (now[a] - base[a]) / elements[a]) : part.mass[i];
+      if (now[a] == elements[a] + points[a]) return part.mass[i];
+      return std::max(0.0, now[a] - points[a]) * (part.mass[i] / elements[a]);
     };
     parts_.push_back(sum(part.node.size(), frame_.velocity, node_of, mass_of));
   }

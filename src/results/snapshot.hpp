@@ -26,14 +26,13 @@ class Masses {
     double total = 0.0;
   };
   const std::vector<Part>& parts() const { return parts_; }
-  /// Element and point masses of a node before mass scaling [node] [mass].
-  const std::vector<double>& node() const { return node_; }
-  const std::vector<double>& elements_of_node() const { return element_mass_; }
+  const std::vector<double>& elements() const { return elements_; }  ///< of all parts [node] [mass]
+  const std::vector<double>& points() const { return points_; }      ///< *ELEMENT_MASS [node] [mass]
   double total() const { return total_; }
 
  private:
   std::vector<Part> parts_;
-  std::vector<double> node_, element_mass_;
+  std::vector<double> elements_, points_;
   double total_ = 0.0;
 };
 
@@ -46,8 +45,10 @@ class Snapshot {
   const discretisation::State& state() const { return frame_.state; }
   const Masses& masses() const { return masses_; }
 
-  const Motion& whole() const;               ///< all nodes of the model
-  const std::vector<Motion>& parts() const;  ///< shared nodes count with the part's share of their mass
+  const Motion& whole() const;  ///< all nodes of the model
+  /// Nodes that parts share are divided by the masses of their elements; what scaling adds to a node or
+  /// deleted elements take from it is divided likewise.
+  const std::vector<Motion>& parts() const;
 
  private:
   const solver::Frame& frame_;
