@@ -3,15 +3,16 @@
 ///
 /// A contribution is scaled by a power of two and rounded once; integer addition is associative and
 /// commutative, so threads, ranks and chunks give the same bits, and equal and opposite contributions
-/// cancel exactly. The scale comes from the largest contribution of the step before, with room for 2^10
-/// contributions of that size per node and a growth of 2^3 per step; a contribution outside that range goes
-/// to a second, coarser sum (a decision about the one number alone, so still associative).
+/// cancel exactly. The scale comes from the largest contribution of the step before, with room for a growth
+/// of 2^3 per step and 2^12 contributions of that size per node; a contribution outside that range goes to a
+/// coarser sum (which one is a decision about the one number alone, so still associative).
 
 #include <atomic>
 #include <bit>
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "base/array.hpp"
 #include "base/lanes.hpp"
@@ -23,7 +24,7 @@ class ForceSum {
   explicit ForceSum(std::size_t node_count = 0) { resize(node_count); }
   void resize(std::size_t node_count);
 
-  /// Clears the sums and chooses the scale.
+  /// Clears the sums and chooses the scale, a function of the argument alone (a restart gets the same bits).
   /// @param expected_largest  largest single contribution to expect [force]; 0 if unknown
   void begin(double expected_largest);
 
@@ -37,7 +38,14 @@ class ForceSum {
     const base::Lanes shifted = value * base::Lanes(scale_) + base::Lanes(magic);
     return std::bit_cast<base::Mask::Vector>(shifted.v) - magic_bits;
   }
-  double limit() const { return limit_; }  ///< largest |value| that quantum() may be given [force]
+  double limit() const { return limit_; }  ///< |value| given to quantum() must be below it [force]
+  /// Folds integers of quantum() into the bits a chunk reports: or-ing keeps the highest bit, which is all
+  /// the scale needs, costs less than a maximum, and shows a contribution that was out of range or NaN.
+  static base::Mask::Vector magnitude_bits(base::Mask::Vector integers) {
+    return integers ^ (integers >> 63);
+  }
+  /// Was a contribution with these magnitude bits out of the range of quantum()?
+  static bool out_of_range(std::int64_t bits) { return bits >= (std::int64_t{1} << 51); }
 
   /// Adds integers of quantum(). `shared` nodes (touched by more than one chunk) are added atomically:
   /// integers make that legal.
@@ -48,12 +56,16 @@ class ForceSum {
     else
       slot += integer;
   }
-  /// Adds any value, from any thread: slow path for loads, walls and contributions beyond the limit.
+  /// Adds any finite value, from any thread: slow path for loads, walls and contributions beyond the limit.
   void add_value(std::int32_t node, int component, double value);
 
   /// Reports the largest |contribution| of a chunk; a max, so order does not matter.
   void report_largest(double value);
-  double largest() const { return largest_.load(std::memory_order_relaxed); }
+  /// The same from magnitude bits: the power of two at or below the largest contribution.
+  void report_magnitude(std::int64_t bits);
+  /// What the next begin() should expect: the largest contribution, but no less than half of what this step
+  /// expected, so that the scale does not follow the forces of a body at rest down to noise.
+  double largest() const;
 
   /// The sum at a node [force].
   double value(std::int32_t node, int component) const;
@@ -65,10 +77,11 @@ class ForceSum {
       6755399441055744.0;  // 1.5 * 2^52: adding it leaves the integer in the low bits
   static constexpr std::int64_t magic_bits = std::bit_cast<std::int64_t>(magic);
 
-  base::Array<std::int64_t> sum_;                // [node][3]
-  std::map<std::int64_t, std::int64_t> coarse_;  // rare: slot -> integer of the coarser scale
-  mutable std::mutex coarse_lock_;
-  double scale_ = 1.0, limit_ = 0.0;
+  base::Array<std::int64_t> sum_;  // [node][3]
+  // Rare: (slot, level) -> integer; level n has the scale divided by 2^(32 n).
+  std::map<std::pair<std::int64_t, int>, std::int64_t> coarse_;
+  std::mutex coarse_lock_;
+  double expected_ = 0.0, scale_ = 1.0, limit_ = 0.0;
   std::atomic<double> largest_{0.0};
 };
 

@@ -1,0 +1,83 @@
+#include "discretisation/chunk.hpp"
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+#include "discretisation/curve_order.hpp"
+
+namespace cleave::discretisation {
+
+using base::lane_count;
+
+ChunkTable::ChunkTable(const PartElements& elements)
+    : nodes_per_element(model::nodes_of(elements.shape)), element_count(elements.id.size()) {
+  const auto per = static_cast<std::size_t>(nodes_per_element);
+  const auto order = curve_order(elements.node, nodes_per_element, elements.model.mesh.nodes.position);
+  id.reserve(element_count);
+  connectivity.reserve(element_count * per);
+  for (const Index e : order) {
+    id.push_back(elements.id[e]);
+    for (std::size_t a = 0; a < per; ++a) connectivity.push_back(elements.node[e * per + a]);
+  }
+  batch_count = (element_count + lane_count - 1) / lane_count;
+  local.resize(batch_count * per * lane_count);
+
+  // How often each node is met by a chunk: more than once means that additions must be atomic.
+  const std::size_t node_total = elements.model.mesh.nodes.count();
+  std::vector<std::uint8_t> met(elements.common_node.begin(), elements.common_node.end());
+  met.resize(node_total, 0);
+  std::vector<std::int32_t> seen_by(node_total, -1);
+  const std::size_t chunk_count = (batch_count + batches_per_chunk - 1) / batches_per_chunk;
+  const std::size_t elements_per_chunk = batches_per_chunk * lane_count;
+  const auto range_of = [&](std::size_t c) {
+    return std::pair{c * elements_per_chunk * per,
+                     std::min((c + 1) * elements_per_chunk, element_count) * per};
+  };
+  for (std::size_t c = 0; c < chunk_count; ++c) {
+    const auto [begin, end] = range_of(c);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index n = connectivity[i];
+      if (seen_by[n] == static_cast<std::int32_t>(c)) continue;
+      seen_by[n] = static_cast<std::int32_t>(c);
+      met[n] = static_cast<std::uint8_t>(std::min(met[n] + 1, 2));
+    }
+  }
+
+  // Nodes of each chunk, its own first, each group ascending; then the local connectivity.
+  std::vector<std::uint16_t> place(node_total);
+  for (std::size_t c = 0; c < chunk_count; ++c) {
+    const auto [begin, end] = range_of(c);
+    std::vector<Index> mine(connectivity.begin() + static_cast<std::ptrdiff_t>(begin),
+                            connectivity.begin() + static_cast<std::ptrdiff_t>(end));
+    std::sort(mine.begin(), mine.end());
+    mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
+    const auto shared = std::stable_partition(mine.begin(), mine.end(), [&](Index n) { return met[n] == 1; });
+    CLEAVE_ASSERT(mine.size() < 65536, "local node numbers have 16 bits");
+    for (std::size_t i = 0; i < mine.size(); ++i) place[mine[i]] = static_cast<std::uint16_t>(i);
+
+    Chunk chunk;
+    chunk.first_batch = static_cast<std::int32_t>(c * batches_per_chunk);
+    chunk.batch_count = static_cast<std::int32_t>(
+        std::min<std::size_t>(batches_per_chunk, batch_count - c * batches_per_chunk));
+    chunk.first_node = static_cast<std::int32_t>(nodes.size());
+    chunk.own_count = static_cast<std::int32_t>(shared - mine.begin());
+    chunk.node_count = static_cast<std::int32_t>(mine.size());
+    chunks.push_back(chunk);
+    largest_node_count = std::max(largest_node_count, chunk.node_count);
+    nodes.insert(nodes.end(), mine.begin(), mine.end());
+
+    for (std::int32_t b = chunk.first_batch; b < chunk.first_batch + chunk.batch_count; ++b)
+      for (std::size_t a = 0; a < per; ++a)
+        for (int lane = 0; lane < lane_count; ++lane)
+          local[(static_cast<std::size_t>(b) * per + a) * lane_count + static_cast<std::size_t>(lane)] =
+              place[connectivity[element(static_cast<std::size_t>(b), lane) * per + a]];
+  }
+}
+
+double ChunkTable::bytes() const {
+  return static_cast<double>(id.size() * sizeof(Id) + connectivity.size() * sizeof(Index) +
+                             chunks.size() * sizeof(Chunk) + nodes.size() * sizeof(Index) +
+                             local.size() * sizeof(std::uint16_t));
+}
+
+}  // namespace cleave::discretisation

@@ -1,0 +1,105 @@
+#include "discretisation/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "discretisation/formulation.hpp"
+#include "model/material/law.hpp"
+
+namespace cleave::discretisation {
+namespace {
+
+/// Marks nodes that belong to elements of more than one part or shape.
+std::vector<std::uint8_t> common_nodes(const model::Mesh& mesh) {
+  constexpr int none = -1, several = -2;
+  std::vector<std::int64_t> owner(mesh.nodes.count(), none);
+  for (std::size_t s = 0; s < mesh.solids.size(); ++s) {
+    const auto& solids = mesh.solids[s];
+    const auto per = static_cast<std::size_t>(model::nodes_of(solids.shape));
+    for (std::size_t i = 0; i < solids.node.size(); ++i) {
+      const std::int64_t me =
+          static_cast<std::int64_t>(solids.part[i / per]) * static_cast<std::int64_t>(mesh.solids.size()) +
+          static_cast<std::int64_t>(s);
+      std::int64_t& who = owner[static_cast<std::size_t>(solids.node[i])];
+      who = who == none || who == me ? me : several;
+    }
+  }
+  std::vector<std::uint8_t> common(owner.size());
+  std::ranges::transform(owner, common.begin(), [](std::int64_t who) { return who == several; });
+  return common;
+}
+
+}  // namespace
+
+World build(const model::Model& model, deck::Diagnostics& diagnostics) {
+  World world;
+  world.model = &model;
+  const auto common = common_nodes(model.mesh);
+  // Parts in the order of the model, shapes in the order of the mesh: one pass over the elements per shape.
+  std::vector<std::deque<PartElements>> by_part(model.parts.size());
+  for (const auto& solids : model.mesh.solids) {
+    const auto per = static_cast<std::size_t>(model::nodes_of(solids.shape));
+    std::vector<PartElements*> target(model.parts.size(), nullptr);
+    std::vector<bool> met(model.parts.size(), false);
+    for (const Index part : solids.part) {
+      const auto p = static_cast<std::size_t>(part);
+      if (met[p]) continue;
+      met[p] = true;
+      by_part[p].push_back({model, part, solids.shape, {}, {}, common});
+      target[p] = &by_part[p].back();
+    }
+    for (std::size_t e = 0; e < solids.count(); ++e) {
+      PartElements& to = *target[static_cast<std::size_t>(solids.part[e])];
+      to.id.push_back(solids.id[e]);
+      for (std::size_t a = 0; a < per; ++a) to.node.push_back(solids.node[e * per + a]);
+    }
+  }
+  for (std::size_t p = 0; p < by_part.size(); ++p)
+    for (const PartElements& elements : by_part[p]) {
+      const model::Part& part = model.parts[p];
+      const auto* entry = find_formulation(part.section.family, part.section.form, elements.shape);
+      if (!entry) {
+        diagnostics.error(part.section.place, "SECTION_" + part.section.family, "ELFORM",
+                          "no formulation for ELFORM " + std::to_string(part.section.form) + " with " +
+                              std::string(model::name_of(elements.shape)) + " elements, which part " +
+                              std::to_string(part.id) + " has");
+        continue;
+      }
+      if (auto block = entry->build(elements, diagnostics)) world.blocks.push_back(std::move(block));
+    }
+  return world;
+}
+
+StepStatus initialise(const World& world, State& state) {
+  const model::Model& model = *world.model;
+  state = State{};
+  state.position.assign(model.mesh.nodes.position.begin(), model.mesh.nodes.position.end());
+  state.velocity.assign(model.initial_velocity.begin(), model.initial_velocity.end());
+  state.velocity.resize(state.position.size(), 0.0);
+  state.mass.assign(world.node_count(), 0.0);
+  state.blocks.resize(world.blocks.size());
+  state.parts.resize(model.parts.size());
+
+  StepStatus status;
+  for (std::size_t b = 0; b < world.blocks.size(); ++b) {
+    status.merge(world.blocks[b]->initialise(state.position, state.blocks[b]));
+    world.blocks[b]->add_mass(state.blocks[b], state.mass);
+  }
+
+  // A first guess of the largest force: a strain of 1/1000 on the face of the largest element.
+  for (const auto& block : world.blocks) {
+    const model::Part& part = model.parts[static_cast<std::size_t>(block->part())];
+    double heaviest = 0.0;
+    for (const Index n : block->connectivity())
+      heaviest = std::max(heaviest, state.mass[static_cast<std::size_t>(n)]);
+    const double face = std::pow(heaviest / part.density, 2.0 / 3.0);
+    if (std::isfinite(face))
+      state.largest_force = std::max(state.largest_force, 1e-3 * face * part.law->longitudinal_modulus());
+  }
+  for (const model::PointMass& point : model.point_masses)
+    state.mass[static_cast<std::size_t>(point.node)] += point.mass;
+  return status;
+}
+
+}  // namespace cleave::discretisation
