@@ -306,7 +306,7 @@ class CardReader final : public ConditionValues {
                               : body_.format == Format::ten ? std::max<std::size_t>(10, item.width)
                                                             : item.width;
     const std::size_t columns = width * item.per_line;
-    if (find_comma(line_.text.substr(0, columns)) != std::string_view::npos) {
+    if (find_format_comma(line_.text, columns) != std::string_view::npos) {
       for (std::string_view rest = line_.text; position < wanted;) {
         const std::size_t comma = find_comma(rest);
         take(rest.substr(0, comma));

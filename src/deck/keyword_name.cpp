@@ -83,7 +83,8 @@ std::string padded_number(std::string_view name) {
   if (!name.starts_with("MAT_") && !name.starts_with("EOS_")) return result;
   std::size_t stop = 4;
   while (stop < name.size() && std::isdigit(static_cast<unsigned char>(name[stop])) != 0) ++stop;
-  if (stop == 4 || stop >= 7) return result;
+  if (stop == 4 || stop >= 7 || (stop < name.size() && name[stop] == '-'))
+    return result;  // MAT_3-PARAMETER_... is a name
   return result.insert(4, 7 - stop, '0');
 }
 

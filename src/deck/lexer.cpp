@@ -34,6 +34,17 @@ std::size_t find_comma(std::string_view text) {
   return at;
 }
 
+std::size_t find_format_comma(std::string_view text, std::size_t reach) {
+  const std::size_t near = find_comma(text.substr(0, reach));
+  if (near != std::string_view::npos || text.size() <= reach) return near;
+  constexpr std::size_t longest_number = 64;
+  const std::size_t far = text.substr(0, reach + longest_number).find(',');
+  double real = 0.0;
+  if (far == std::string_view::npos || parse_real(trim(text.substr(0, far)), real) != NumberState::good)
+    return std::string_view::npos;
+  return far;
+}
+
 void FieldCutter::cut(std::string_view line, const table::Field* fields, std::size_t count, Format format) {
   line_ = line;
   fields_ = fields;
@@ -47,7 +58,8 @@ void FieldCutter::cut(std::string_view line, const table::Field* fields, std::si
   const Columns end = columns_of(last, format);
   // A comma behind the columns is a remark; one inside a heading belongs to it.
   const std::size_t reach = is_long_text(last) ? end.offset : end.offset + end.width;
-  const std::size_t comma = find_comma(line.substr(0, reach));
+  const std::size_t comma =
+      is_long_text(last) ? find_comma(line.substr(0, reach)) : find_format_comma(line, reach);
   if (comma == std::string_view::npos) return;
   comma_ = true;
 

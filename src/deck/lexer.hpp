@@ -62,6 +62,10 @@ std::string expand_tabs(std::string_view text);
 /// Position of the first comma outside `<...>`, or npos.
 std::size_t find_comma(std::string_view text);
 
+/// Position of the first comma that makes a line free format, or npos: it stands in front of column `reach`,
+/// or behind a single number that runs over the columns. Other commas behind the columns belong to a remark.
+std::size_t find_format_comma(std::string_view text, std::size_t reach);
+
 /// A value as it stands in a line, blanks around it removed; `column` counts from 1.
 struct Slice {
   std::string_view text;

@@ -40,7 +40,7 @@ struct Row::Reader {
       expanded[which] = expand_tabs(line.text);
       lines[which].text = expanded[which];
     }
-    comma[which] = lines[which].text.substr(0, last.offset + last.width).find(',') != std::string_view::npos;
+    comma[which] = find_format_comma(lines[which].text, last.offset + last.width) != std::string_view::npos;
     if (comma[which]) cutters[which].cut(lines[which].text, layout, n, format);
     comma[which] = comma[which] && cutters[which].comma();
   }
