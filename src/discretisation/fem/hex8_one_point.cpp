@@ -1,5 +1,6 @@
 #include "discretisation/fem/hex8_one_point.hpp"
 
+#include "discretisation/fem/hourglass_stiffness.hpp"
 #include "discretisation/fem/solid_block.hpp"
 
 namespace cleave::discretisation {
@@ -24,6 +25,11 @@ std::unique_ptr<Block> build(const PartElements& elements, deck::Diagnostics& di
     case 2:
     case 3:
       return make(elements, fem::ViscousHourglass{control.coefficient});
+    case 4:
+    case 5:
+      return make(elements, fem::StiffnessHourglass{control.coefficient});
+    case 6:
+      return make(elements, fem::AssumedStrainHourglass{control.coefficient});
   }
   diagnostics.error(part.place, "HOURGLASS", "IHQ",
                     "hourglass type " + std::to_string(control.type) + " is not one of 1 to 6");

@@ -231,8 +231,9 @@ class SolidBlock final : public Block {
     std::int64_t magnitude = 0;
   };
 
-  void before_law(std::size_t batch, const StepInput& input, BlockState& state, ThreadMemory& memory,
-                  Kept<Lanes, Element>& kept, PointScratch<Lanes>* point, StepOutput& result) const {
+  [[gnu::flatten]] void before_law(std::size_t batch, const StepInput& input, BlockState& state,
+                                   ThreadMemory& memory, Kept<Lanes, Element>& kept,
+                                   PointScratch<Lanes>* point, StepOutput& result) const {
     Vec3<Lanes> x[nodes], v[nodes];
     const std::uint16_t* local = table_.local.data() + batch * nodes * lane_count;
     for (int a = 0; a < nodes; ++a) {
@@ -246,7 +247,8 @@ class SolidBlock final : public Block {
     if (!all((kept.least > Lanes(0.0)) | !active)) report_inverted(batch, kept.least, living, result);
   }
 
-  void report_inverted(std::size_t batch, const Lanes& least, const Lanes& living, StepOutput& result) const {
+  [[gnu::noinline]] void report_inverted(std::size_t batch, const Lanes& least, const Lanes& living,
+                                         StepOutput& result) const {
     for (int lane = 0; lane < lane_count; ++lane)
       if (living[lane] > 0.0 && !(least[lane] > 0.0))
         result.status.merge(
@@ -255,9 +257,10 @@ class SolidBlock final : public Block {
                     "mesh there, a stiffer hourglass control, or an erosion criterion"));
   }
 
-  void after_law(std::size_t batch, const Chunk& chunk, const StepInput& input, BlockState& state,
-                 ThreadMemory& memory, Kept<Lanes, Element>& kept, PointScratch<Lanes>* point,
-                 ForceSum& force, double* steps, ChunkSums& sums, StepOutput& result) const {
+  [[gnu::flatten]] void after_law(std::size_t batch, const Chunk& chunk, const StepInput& input,
+                                  BlockState& state, ThreadMemory& memory, Kept<Lanes, Element>& kept,
+                                  PointScratch<Lanes>* point, ForceSum& force, double* steps, ChunkSums& sums,
+                                  StepOutput& result) const {
     Vec3<Lanes> f[nodes];
     ForceAnswer<Lanes> answer;
     force_pass(element_, options_, layout_, input.dt, records_of(batch, state), kept, point, f, answer);
@@ -287,8 +290,8 @@ class SolidBlock final : public Block {
     add_batch(batch, chunk, active, everyone, f, memory, force, sums, result);
   }
 
-  void erode(std::size_t batch, base::Mask gone, const ForceAnswer<Lanes>& answer, double* living,
-             StepOutput& result) const {
+  [[gnu::noinline]] void erode(std::size_t batch, base::Mask gone, const ForceAnswer<Lanes>& answer,
+                               double* living, StepOutput& result) const {
     for (int lane = 0; lane < lane_count; ++lane) {
       if (!gone[lane]) continue;
       living[lane] = 0.0;
@@ -329,8 +332,9 @@ class SolidBlock final : public Block {
   }
 
   // Elements with a force beyond the range of the integers: one by one, through the coarser sums.
-  std::int64_t add_large(std::size_t batch, const Chunk& chunk, Integers bits, const Vec3<Lanes>* f,
-                         Integers (&q)[nodes][3], ForceSum& force, StepOutput& result) const {
+  [[gnu::noinline]] std::int64_t add_large(std::size_t batch, const Chunk& chunk, Integers bits,
+                                           const Vec3<Lanes>* f, Integers (&q)[nodes][3], ForceSum& force,
+                                           StepOutput& result) const {
     std::int64_t kept_bits = 0;
     for (int lane = 0; lane < lane_count; ++lane) {
       if (!ForceSum::out_of_range(bits[lane])) {
