@@ -66,6 +66,7 @@ class Fields final : public Writer {
     const std::string reason = write_vtu(path, now.frame(), context_.options.double_fields);
     context_.trouble.note(path, reason);
     if (!reason.empty()) return;
+    context_.log.event(now.state(), "write " + name_of(times_.size()));
     times_.push_back(now.state().time);
     last_cycle_ = now.state().cycle;
     list();

@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "results/files.hpp"
+#include "results/restart.hpp"
 
 namespace cleave::results {
 namespace {
@@ -36,7 +37,8 @@ void remove_unfinished(const std::filesystem::path& directory) {
 Recorder::Recorder(const model::Model& model, Options options)
     : options_(std::move(options)),
       trouble_(options_.wishes),
-      context_{model, options_, trouble_},
+      log_(trouble_),
+      context_{model, options_, trouble_, log_},
       summary_(context_) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of write(), like a full disk
   for (const WriterEntry* entry : writer_catalogue())
@@ -55,6 +57,7 @@ void Recorder::begin(const solver::Frame& frame) {
   remove_unfinished(options_.directory);
   remove_unfinished(options_.directory / "result");
 
+  log_.open(options_.directory / "messag", resumed != nullptr);
   masses_.emplace(frame.world);
   const Snapshot now(frame, *masses_);
   summary_.begin(now, resumed);
@@ -67,17 +70,46 @@ void Recorder::after_step(const solver::Frame& frame) {
   for (auto& [name, writer] : writers_) writer->after_step(now);
   if (options_.wishes && options_.wishes->field.exchange(false))
     for (auto& [name, writer] : writers_) writer->extra(now);
+  serve_restarts(frame);
 }
 
 void Recorder::finish(const solver::Frame& frame, solver::Ending ending,
                       const discretisation::StepStatus& status) {
+  // Before the last rows, which an uninterrupted run would not have: a restarted run cuts them off. A state
+  // in which an element failed would only fail again.
+  if (ending != solver::Ending::physics) write_restart(frame, "restart.h5");
   const Snapshot now(frame, *masses_);
   summary_.finish(now, ending, status);
   for (auto& [name, writer] : writers_) writer->finish(now, ending, status);
 }
 
+void Recorder::serve_restarts(const solver::Frame& frame) {
+  const model::Requests& requests = context_.model.requests;
+  const std::int64_t cycle = frame.state.cycle;
+  const auto due = [cycle](std::int64_t every) { return every > 0 && cycle % every == 0; };
+  if (due(requests.restart_cycles)) write_restart(frame, "restart_" + std::to_string(cycle) + ".h5");
+  const bool asked = options_.wishes && options_.wishes->restart.exchange(false);
+  if (asked || due(requests.running_restart_cycles)) write_restart(frame, "restart.h5");
+}
+
+void Recorder::write_restart(const solver::Frame& frame, const std::string& name) {
+  std::vector<discretisation::Memory> observers;
+  const auto add = [&](const std::string& writer, const std::vector<double>& values) {
+    observers.push_back({memory_prefix + writer, {values.begin(), values.end()}});
+  };
+  add("summary", summary_.remember());
+  for (const auto& [writer_name, writer] : writers_) add(writer_name, writer->remember());
+  const RestartOrigin origin{options_.deck.string(), options_.deck_fingerprint, options_.version,
+                             context_.model.title};
+  const auto path = options_.directory / name;
+  const std::string reason = results::write_restart(path, frame.state, origin, observers);
+  trouble_.note(path, reason);
+  if (reason.empty()) log_.event(frame.state, "write " + name);
+}
+
 void Recorder::summarise(const solver::Outcome& outcome) {
   const auto path = options_.directory / "summary.json";
+  log_.write(summary_.text(outcome));
   trouble_.note(path, write_whole(path, summary_.json(outcome)));
 }
 

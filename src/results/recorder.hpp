@@ -37,8 +37,12 @@ class Recorder final : public solver::Observer {
   const std::string& failure() const { return trouble_.what(); }
 
  private:
+  void write_restart(const solver::Frame& frame, const std::string& name);
+  void serve_restarts(const solver::Frame& frame);
+
   Options options_;
   Trouble trouble_;
+  Log log_;
   Context context_;
   struct Named {
     std::string name;

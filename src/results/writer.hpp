@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "results/log.hpp"
 #include "results/snapshot.hpp"
 
 namespace cleave::results {
@@ -46,6 +47,7 @@ struct Context {
   const model::Model& model;
   const Options& options;
   Trouble& trouble;
+  Log& log;
 };
 
 class Writer {
