@@ -1,0 +1,180 @@
+#include "results/report.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "report_run.hpp"
+#include "results/report_encode.hpp"
+#include "results/report_history.hpp"
+#include "results/report_scene.hpp"
+#include "results/report_vtu.hpp"
+
+namespace cleave::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
+
+void put(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+class Report : public testing::Test {
+ protected:
+  Report() : run(fs::temp_directory_path() / ("cleave_report_" + std::to_string(::getpid()))) {
+    fs::remove_all(run);
+    fs::create_directories(run);
+  }
+  ~Report() override { fs::remove_all(run); }
+
+  bool has_note(const ReportOutcome& outcome, const std::string& part) const {
+    for (const std::string& note : outcome.notes)
+      if (note.find(part) != std::string::npos) return true;
+    return false;
+  }
+  fs::path run;
+};
+
+TEST_F(Report, PageHoldsTheRunAndNeedsNothingElse) {
+  test::write_run(run, 4, 10, 3);
+  put(run / "picture.png", "not really a picture");
+  const ReportOutcome outcome = write_report(run);
+  ASSERT_TRUE(outcome.ok) << outcome.message;
+  EXPECT_TRUE(outcome.notes.empty()) << outcome.notes.front();
+  const std::string page = text_of(run / "report.html");
+  EXPECT_FALSE(fs::exists(run / "report.html.part"));
+
+  // Nothing is loaded: no attribute or style points anywhere, and the page forbids it to itself.
+  for (const char* load : {"src=\"http", "href=\"http", "src=\"//", "url(http", "@import", "<link", "fetch("})
+    EXPECT_EQ(page.find(load), std::string::npos) << load;
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+
+  // The data are there, and text of the deck cannot end their script elements.
+  EXPECT_NE(page.find("\"keyword\": \"CONTACT_AUTOMATIC\""), std::string::npos);
+  EXPECT_NE(page.find("227 m/s \\u003c/script>"), std::string::npos);
+  EXPECT_EQ(page.find("227 m/s </script>"), std::string::npos);
+  for (const char* block : {"history-glstat", "history-nodout", "topology-0", "frame-2", "image-picture"})
+    EXPECT_NE(page.find("<script id=\"data-" + std::string(block) + "\" type=\"text/plain\">"),
+              std::string::npos)
+        << block;
+  EXPECT_NE(page.find(base64("not really a picture")), std::string::npos);
+  EXPECT_NE(page.find("class Viewer"), std::string::npos);
+  EXPECT_EQ(page.find("<!-- data -->"), std::string::npos);
+}
+
+TEST_F(Report, SaysWhatIsNotARun) {
+  const ReportOutcome empty = write_report(run);
+  EXPECT_FALSE(empty.ok);
+  EXPECT_NE(empty.message.find("holds no run"), std::string::npos);
+  const ReportOutcome none = write_report(run / "absent");
+  EXPECT_FALSE(none.ok);
+  EXPECT_NE(none.message.find("is not a directory"), std::string::npos);
+}
+
+TEST_F(Report, MissingAndBrokenFilesAreNotes) {
+  put(run / "summary.json", "{\"title\": \"alone\"}");
+  const ReportOutcome alone = write_report(run);
+  ASSERT_TRUE(alone.ok);
+  EXPECT_TRUE(has_note(alone, "no histories"));
+  EXPECT_TRUE(has_note(alone, "no 3D view"));
+
+  test::write_run(run, 2, 3, 3);
+  fs::remove(run / "summary.json");
+  fs::resize_file(run / "result/result_1.vtu", 1500);
+  std::ofstream(run / "glstat.csv", std::ios::app) << "8e-5,24";  // cut off while it was written
+  const ReportOutcome killed = write_report(run);
+  ASSERT_TRUE(killed.ok);
+  EXPECT_TRUE(has_note(killed, "summary.json is missing"));
+  EXPECT_TRUE(has_note(killed, "result_1.vtu is left out"));
+  EXPECT_TRUE(has_note(killed, "1 incomplete rows of glstat.csv"));
+}
+
+TEST_F(Report, HistoryIsSplitByIdAndKeepsNotANumber) {
+  put(run / "nodout.csv",
+      "time,cycle,id,x\n0,0,7,1.5\n0,0,9,nan\n1e-3,1,7,-inf\n1e-3,1,9,wrong\n2e-3,2,7,4\n");
+  const auto table = read_history(run / "nodout.csv");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->columns, (std::vector<std::string>{"time", "cycle", "x"}));
+  ASSERT_EQ(table->entities.size(), 2u);
+  EXPECT_EQ(table->entities[0].id, 7);
+  EXPECT_EQ(table->entities[0].column[0], (std::vector<double>{0.0, 1e-3, 2e-3}));
+  EXPECT_EQ(table->entities[0].column[2][2], 4.0);
+  EXPECT_TRUE(std::isinf(table->entities[0].column[2][1]));
+  EXPECT_TRUE(std::isnan(table->entities[1].column[2][0]) && std::isnan(table->entities[1].column[2][1]));
+  EXPECT_FALSE(read_history(run / "elout.csv"));
+}
+
+TEST_F(Report, LongHistoriesAreThinnedAndSayIt) {
+  test::write_run(run, 2, 2, 1);
+  ReportOptions small;
+  small.max_history_bytes = 8000;
+  const ReportOutcome outcome = write_report(run, small);
+  ASSERT_TRUE(outcome.ok);
+  EXPECT_TRUE(has_note(outcome, "Plots of glstat show every"));
+  auto table = read_history(run / "glstat.csv");
+  const double end = table->entities[0].column[0].back();
+  EXPECT_EQ(thin(*table, 100), 5u);
+  EXPECT_EQ(table->rows(), 81u);
+  EXPECT_EQ(table->entities[0].column[0].back(), end);  // the last row stays
+}
+
+TEST_F(Report, FieldFileIsReadBack) {
+  const auto mesh = test::cubes(2, 3, 4);
+  test::write_vtu_file(run / "a.vtu", mesh, mesh, 8e-5);
+  VtuFrame frame;
+  ASSERT_EQ(read_vtu(run / "a.vtu", frame), "");
+  ASSERT_EQ(frame.groups.size(), 1u);
+  EXPECT_EQ(frame.groups[0].node, mesh.node);
+  EXPECT_EQ(frame.position, mesh.position);
+  EXPECT_EQ(frame.element_id.front(), 101.0);
+  EXPECT_EQ(frame.fields.size(), 3u);
+  EXPECT_NE(read_vtu(run / "none.vtu", frame), "");
+  put(run / "b.vtu", "<VTKFile></VTKFile>");
+  EXPECT_NE(read_vtu(run / "b.vtu", frame), "");
+}
+
+TEST_F(Report, SceneKeepsTheSkinWithinItsBudget) {
+  test::write_run(run, 6, 20, 9);
+  const Scene all = build_scene(run, 20, 1u << 24);
+  // Skin of a 6 x 6 x 20 bar: 2 * 36 + 4 * 120 faces; one topology for all frames.
+  EXPECT_NE(all.json.find("\"faces\":552"), std::string::npos) << all.json;
+  ASSERT_EQ(all.blocks.size(), 1u + 9u);
+  EXPECT_EQ(all.blocks[0].second.size(), 552u * (8 + 16 + 1));
+  const std::size_t nodes = 552 + 2;  // Euler: nodes - edges + faces = 2 with two edges per quadrilateral
+  EXPECT_EQ(all.blocks[1].second.size(), 2 * (3 * nodes + 2 * 552 + nodes));
+  EXPECT_LT(all.json.find("effective_plastic_strain"), all.json.find("pressure"));
+  EXPECT_NE(all.json.find("\"high\":2.7"), std::string::npos);
+
+  const Scene few = build_scene(run, 20, 4 * all.blocks[1].second.size());
+  EXPECT_EQ(few.blocks.size(), 1u + 4u);
+  ASSERT_EQ(few.notes.size(), 1u);
+  EXPECT_NE(few.notes[0].find("4 of 9 frames"), std::string::npos);
+  EXPECT_EQ(few.blocks.back().second, all.blocks.back().second);  // the last frame is always there
+}
+
+TEST(Encode, Base64AndJson) {
+  // Test vectors of RFC 4648, section 10.
+  const std::pair<const char*, const char*> vectors[] = {{"", ""},
+                                                         {"f", "Zg=="},
+                                                         {"fo", "Zm8="},
+                                                         {"foo", "Zm9v"},
+                                                         {"foob", "Zm9vYg=="},
+                                                         {"fooba", "Zm9vYmE="},
+                                                         {"foobar", "Zm9vYmFy"}};
+  for (const auto& [bytes, text] : vectors) EXPECT_EQ(base64(bytes), text);
+  EXPECT_EQ(json_text("a\"b\\c<d\n"), "\"a\\\"b\\\\c\\u003cd\\u000a\"");
+  EXPECT_EQ(json_number(0.1), "0.1");
+  EXPECT_EQ(json_number(NAN), "null");
+}
+
+}  // namespace
+}  // namespace cleave::results
