@@ -32,9 +32,10 @@ class HistoryPlot {
   constructor(tables, table) {
     this.tables = tables;
     this.caption = element("div", { className: "caption tools" });
+    this.printed = element("h3", { className: "printed" });  // paper has no menus
     this.chips = element("div", { className: "chips" });
     this.box = element("div");
-    this.root = element("div", { className: "plot" }, this.caption, this.chips, this.box);
+    this.root = element("div", { className: "plot" }, this.printed, this.caption, this.chips, this.box);
     document.getElementById("history-plots").append(this.root);
     this.choose(table);
     this.chart = new Chart(this.box, () => this.curves(), { height: 270 });
@@ -69,6 +70,7 @@ class HistoryPlot {
   curves() {
     const { columns, entities, name } = this.table;
     const y = columns.indexOf(this.quantity);
+    this.printed.textContent = `${titles[name] ?? name}: ${words(this.quantity)}`;
     const curves = entities
       .map((entity, n) => ({ entity, n }))
       .filter(({ entity }) => this.chosen.has(entity.id))

@@ -1,6 +1,7 @@
 // The surface of the model: decoded frames, normals, values at corners.
 
 const noNumber = 65535, steps = 65534;
+const notShown = -3e38;  // a value without a colour: shaders cannot be trusted with NaN
 
 /** Faces that several frames share. */
 class Topology {
@@ -124,7 +125,7 @@ class Frame {
       } else {
         for (let c = 0; c < node.length; ++c) corners[c] = this.value(field, c >> 2);
       }
-      return corners;
+      return corners.map((v) => (Number.isNaN(v) ? notShown : v));
     });
   }
 

@@ -234,6 +234,7 @@ function start() {
   let before = null;
   addEventListener("beforeprint", () => { before = document.documentElement.dataset.theme; change("light"); });
   addEventListener("afterprint", () => change(before));
+  document.documentElement.dataset.ready = viewer ? "with model" : "without model";
 }
 
 start();

@@ -22,7 +22,7 @@ void main() {
   // Light from beside the eye, as in the static pictures.
   vec3 n = normalize(facing);
   float light = 0.54 + 0.40 * abs(n.z) + 0.24 * (n.z < 0.0 ? -1.0 : 1.0) * (0.55 * n.y - 0.45 * n.x);
-  bool known = t == t;
+  bool known = t > -1e20;
   vec3 colour = known ? texture(colours, vec2(clamp(t, 0.0, 1.0) * (32.0 / 33.0) + 0.5 / 33.0, 0.5)).rgb : vec3(0.66);
   // Mesh lines: distance from the sides in pixels; they fade where elements are as small as pixels.
   vec4 slope = max(fwidth(sides), vec4(1e-6)), away = sides / slope;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -159,6 +160,44 @@ TEST_F(Report, SceneKeepsTheSkinWithinItsBudget) {
   ASSERT_EQ(few.notes.size(), 1u);
   EXPECT_NE(few.notes[0].find("4 of 9 frames"), std::string::npos);
   EXPECT_EQ(few.blocks.back().second, all.blocks.back().second);  // the last frame is always there
+}
+
+TEST_F(Report, SceneFollowsErosionAndMarksWhatIsNoNumber) {
+  fs::create_directories(run);
+  auto two = test::cubes(2, 1, 1), one = test::cubes(2, 1, 1);
+  one.node.resize(8);
+  test::write_vtu_file(run / "0.vtu", two, two, 8e-5);
+  one.position[0] = NAN;  // displacement and position of its first node
+  test::write_vtu_file(run / "1.vtu", one, two, 8e-5);
+  put(run / "result.pvd",
+      "<DataSet timestep=\"0\" file=\"0.vtu\"/>\n<DataSet timestep=\"1e-6\" file=\"1.vtu\"/>");
+  const Scene scene = build_scene(run, 20, 1u << 20);
+  EXPECT_NE(scene.json.find("\"faces\":10,\"nodes\":12},{\"block\":\"topology-1\",\"faces\":6,\"nodes\":8}"),
+            std::string::npos)
+      << scene.json;
+  EXPECT_NE(scene.json.find("\"time\":1e-06,\"topology\":1"), std::string::npos);
+  EXPECT_EQ(scene.json.find("null"), std::string::npos);  // ranges are of the finite values
+  const std::string& last = scene.blocks.back().second;
+  EXPECT_EQ(last.size(), 2u * (3 * 8 + 2 * 6 + 8));
+  EXPECT_NE(last.find("\xff\xff"), std::string::npos);
+}
+
+/// Runs the page where there is a browser: its scripts must reach their end.
+TEST_F(Report, PageRunsInABrowser) {
+  if (std::system("command -v chromium >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no chromium here";
+  test::write_run(run, 3, 6, 3);
+  ASSERT_TRUE(write_report(run).ok);
+  const std::string command =
+      "timeout 60 chromium --headless --no-sandbox --disable-gpu --no-first-run "
+      "--disable-background-networking --disable-sync --user-data-dir='" +
+      (run / "profile").string() + "' --virtual-time-budget=3000 --dump-dom 'file://" +
+      (run / "report.html").string() + "' > '" + (run / "dom").string() + "' 2>/dev/null";
+  const bool started = std::system(command.c_str()) == 0;
+  const std::string dom = text_of(run / "dom");
+  if (!started || dom.find("</html>") == std::string::npos) GTEST_SKIP() << "chromium does not start here";
+  EXPECT_NE(dom.find("data-ready=\"with"), std::string::npos);
+  EXPECT_NE(dom.find("0.99874</b>"), std::string::npos);
+  EXPECT_NE(dom.find("z displacement"), std::string::npos);
 }
 
 TEST(Encode, Base64AndJson) {
