@@ -1,5 +1,5 @@
 #pragma once
-/// Hexahedron with 2 x 2 x 2 points and wedge with two, as topologies for isoparametric.hpp.
+/// Hexahedron with 2 x 2 x 2 points and wedge with 3 x 2, as topologies for isoparametric.hpp.
 
 #include "discretisation/fem/isoparametric.hpp"
 
@@ -50,27 +50,30 @@ struct Hex8 {
   }
 };
 
-constexpr Quadrature<6, 2> penta6_rule() {
+constexpr Quadrature<6, 6> penta6_rule() {
   constexpr double triangle[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
-  Quadrature<6, 2> q{};
-  for (int p = 0; p < 2; ++p) {
-    q.weight[p] = 0.5;
-    const double z = p == 0 ? -gauss : gauss;
+  Quadrature<6, 6> q{};
+  for (int p = 0; p < 6; ++p) {
+    q.weight[p] = 1.0 / 6.0;
+    const double z = p < 3 ? -gauss : gauss;
+    double at[3] = {1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0};  // area coordinates of the point
+    at[p % 3] = 2.0 / 3.0;
     for (int a = 0; a < 6; ++a) {
       const double side = a < 3 ? -1.0 : 1.0;
       for (int k = 0; k < 2; ++k) q.gradient[p][a][k] = 0.5 * triangle[a % 3][k] * (1.0 + side * z);
-      q.gradient[p][a][2] = side / 6.0;
+      q.gradient[p][a][2] = 0.5 * side * at[a % 3];
     }
   }
   return q;
 }
 
-/// Wedge: triangles (0,1,2) below and (3,4,5) above, two points on the line between their centres.
+/// Wedge: triangles (0,1,2) below and (3,4,5) above, three points in each of two planes between them. (Two
+/// points on the line between the centres leave the twist about that line without stiffness.)
 struct Penta6 {
-  static constexpr int node_count = 6, point_count = 2;
+  static constexpr int node_count = 6, point_count = 6;
   static constexpr model::Shape shape = model::Shape::penta6;
 
-  static constexpr Quadrature<6, 2> rule = penta6_rule();
+  static constexpr Quadrature<6, 6> rule = penta6_rule();
   static constexpr double sixth = 1.0 / 6.0;
   static constexpr std::array<double, 6> mass_share{sixth, sixth, sixth, sixth, sixth, sixth};
 

@@ -7,7 +7,7 @@ namespace {
 constexpr int forms[] = {1, 2, 15};
 constexpr model::Shape shapes[] = {model::Shape::penta6};
 constexpr std::string_view name = "penta6";
-using Element = fem::Isoparametric<fem::Penta6, false>;
+using Element = fem::Isoparametric<fem::Penta6, true>;
 
 std::unique_ptr<Block> build(const PartElements& elements, deck::Diagnostics&) {
   const auto options = fem::solid_options(elements);

@@ -111,8 +111,10 @@ TEST_P(SolidForm, PatchTestGivesTheExactConstantStress) {
       for (int k = 0; k < 3; ++k)
         inside = inside && reference[3 * n + k] > 1e-9 && reference[3 * n + k] < 1 - 1e-9;
       const Point f = body.force_at(static_cast<Index>(n));
-      if (inside)
-        for (const double c : {f.x, f.y, f.z}) EXPECT_NEAR(c, 0.0, 1e-12 * size);
+      const double largest = std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
+      if (inside) {
+        EXPECT_NEAR(largest, 0.0, 1e-12 * size);
+      }
     }
   }
 }
@@ -292,7 +294,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, SolidForm,
                                          Form{"tet4", 10, model::Shape::tet4},
                                          Form{"penta6", 15, model::Shape::penta6},
                                          Form{"tet10", 16, model::Shape::tet10}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace cleave::discretisation::sample
