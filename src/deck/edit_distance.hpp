@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
 
 namespace cleave::deck {
 
 /// Levenshtein distance, or `limit` if it is not below it. Words beyond 256 bytes count as far away.
 inline std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
   const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
-  if (difference >= limit || a.size() > 256 || b.size() > 256) return limit;
-  std::vector<std::size_t> row(b.size() + 1);
+  constexpr std::size_t longest = 256;
+  if (difference >= limit || a.size() > longest || b.size() > longest) return limit;
+  std::size_t row[longest + 1];
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     std::size_t diagonal = row[0], smallest = row[0] = i;

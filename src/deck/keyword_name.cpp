@@ -24,6 +24,7 @@ Words split(std::string_view name) {
 }
 
 struct Candidate {
+  std::string_view name;
   Words words;
   const table::Keyword* keyword;
 };
@@ -32,9 +33,9 @@ struct Candidate {
 const std::vector<Candidate>& candidates() {
   static const std::vector<Candidate> all = [] {
     std::vector<Candidate> list;
-    for (const table::Keyword& k : table::keywords()) list.push_back({split(k.name), &k});
+    for (const table::Keyword& k : table::keywords()) list.push_back({k.name, split(k.name), &k});
     for (const table::Alias& a : table::aliases())
-      list.push_back({split(a.name), &table::keywords()[a.keyword]});
+      list.push_back({a.name, split(a.name), &table::keywords()[a.keyword]});
     std::stable_sort(list.begin(), list.end(),
                      [](const Candidate& a, const Candidate& b) { return a.words.size() > b.words.size(); });
     return list;
@@ -125,8 +126,13 @@ std::string_view nearest_keyword(std::string_view written) {
     const std::size_t d = edit_distance(name, known, distance);
     if (d < distance) distance = d, best = known;
   };
-  for (const table::Keyword& k : table::keywords()) look_at(k.name);
-  for (const table::Alias& a : table::aliases()) look_at(a.name);
+  // A known family narrows the search; a name whose first word is unknown is compared with all.
+  const std::string_view family = std::string_view(name).substr(0, name.find('_'));
+  const auto in_family = [&](const Candidate& c) { return c.words[0] == family; };
+  const bool known_family = std::any_of(candidates().begin(), candidates().end(), in_family);
+  for (const Candidate& c : candidates()) {
+    if (!known_family || in_family(c)) look_at(c.name);
+  }
   if (!best.empty()) return best;
   // Nothing looks alike: the longest known beginning says at least the family.
   for (const table::Keyword& k : table::keywords()) {

@@ -25,13 +25,19 @@ std::string expand_tabs(std::string_view text) {
 }
 
 std::size_t find_comma(std::string_view text) {
-  std::size_t at = text.find_first_of(",<");
-  while (at != std::string_view::npos && text[at] == '<') {
-    const std::size_t close = text.find('>', at);
-    if (close == std::string_view::npos) return text.find(',', at);
-    at = text.find_first_of(",<", close);
+  // Most lines have none: one quick search settles it. All searches are short, so that cutting a line of any
+  // length into its values takes linear time.
+  constexpr std::size_t longest_expression = 1000;
+  std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return comma;
+  for (std::size_t open = text.substr(0, comma).find('<'); open != std::string_view::npos;) {
+    const std::size_t length = text.substr(open, longest_expression).find('>');
+    if (length == std::string_view::npos) return comma;
+    const std::size_t close = open + length;
+    if (close > comma) comma = text.find(',', close);
+    open = text.substr(0, comma).find('<', close);
   }
-  return at;
+  return comma;
 }
 
 std::size_t find_format_comma(std::string_view text, std::size_t reach) {

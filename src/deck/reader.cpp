@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr int deepest_include = 64;
 constexpr int most_files = 10000;
 constexpr std::size_t most_blocks = 2000000;
-constexpr int most_guesses = 100;  ///< unknown names that get a suggestion; looking for one takes time
+constexpr int most_guesses = 50;  ///< unknown names that get a suggestion; looking for one takes time
 
 constexpr std::string_view encrypted_begin = "-----BEGIN PGP", encrypted_end = "-----END PGP";
 
