@@ -29,6 +29,8 @@ const Parameter* find(std::string_view name, const ValueContext& c) {
 }
 
 std::string hint_for(std::string_view name, const ValueContext& c) {
+  constexpr std::size_t enough = 200;  // nobody reads the hints of so many mistakes, and each is a search
+  if (c.diagnostics->count(Severity::error) > enough) return {};
   const Parameter* near = c.parameters->nearest(name);
   if (near == nullptr) return "define it with *PARAMETER before this line";
   if (edit_distance(name, near->name, 1) > 0) return "did you mean &" + near->name + "?";
