@@ -9,13 +9,15 @@ using discretisation::State;
 
 double choose_step(const model::Model& model, const State& state, const StableStep& stable) {
   const model::TimeStepControl& control = model.control.step;
-  double step = stable.step < 1.0e29 ? control.safety * stable.step : 0.01 * model.control.end.time;
+  constexpr double none = 1.0e30;
+  double limit = none;
   if (control.limit_curve >= 0) {
-    const double limit = model.curves[static_cast<std::size_t>(control.limit_curve)].value(state.time);
-    if (limit > 0.0) step = std::min(step, limit);
+    const double value = model.curves[static_cast<std::size_t>(control.limit_curve)].value(state.time);
+    if (value > 0.0) limit = value;
   }
-  if (state.cycle == 0 && control.first > 0.0) step = std::min(step, control.first);
-  return step;
+  if (state.cycle == 0 && control.first > 0.0) limit = std::min(limit, control.first);
+  if (stable.step < 1.0e29) return std::min(limit, control.safety * stable.step);
+  return limit < none ? limit : 0.01 * model.control.end.time;
 }
 
 double least_step(const model::Model& model, const State& state) {

@@ -11,7 +11,7 @@ using discretisation::StepStatus;
 
 namespace {
 
-constexpr double energy_growth = 10.0;   // times all energy that ever came in: not a matter of accuracy
+constexpr double energy_growth = 100.0;  // times all energy that ever came in: not a matter of accuracy
 constexpr double collapsed_step = 1e-6;  // of the first step: the run would never end
 
 model::Index part_of_element(const discretisation::World& world, model::Id element) {
@@ -83,9 +83,11 @@ StepStatus check_health(const discretisation::World& world, const State& state, 
     return {false, -1, 0, "kinetic energy is beyond all numbers", "an unstable step: lower TSSFAC"};
   }
   const model::TimeStepControl& control = model.control.step;
-  if (state.next_step < collapsed_step * state.first_step && control.limit_curve < 0)
+  const bool usable = state.next_step > 0.0 && std::isfinite(state.next_step);
+  if (!usable || (state.next_step < collapsed_step * state.first_step && control.limit_curve < 0))
     return {false, part_of_element(world, step_element), step_element,
-            "stable step fell below a millionth of the first step",
+            usable ? "stable step fell below a millionth of the first step"
+                   : "stable step is zero or not a number",
             "the element is crushed; give it a failure criterion, or stop it with DTMIN and ERODE"};
   // Mass scaling during the run changes kinetic energy by itself.
   const bool mass_moves = control.mass_scaling != 0.0 && !control.mass_scaling_first_only;
