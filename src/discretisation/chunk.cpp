@@ -22,10 +22,9 @@ ChunkTable::ChunkTable(const PartElements& elements)
   batch_count = (element_count + lane_count - 1) / lane_count;
   local.resize(batch_count * per * lane_count);
 
-  // How often each node is met by a chunk: more than once means that additions must be atomic.
+  // How many chunks touch each node.
   const std::size_t node_total = elements.model.mesh.nodes.count();
-  std::vector<std::uint8_t> met(elements.common_node.begin(), elements.common_node.end());
-  met.resize(node_total, 0);
+  std::vector<std::int32_t> met(node_total, 0);
   std::vector<std::int32_t> seen_by(node_total, -1);
   const std::size_t chunk_count = (batch_count + batches_per_chunk - 1) / batches_per_chunk;
   const std::size_t elements_per_chunk = batches_per_chunk * lane_count;
@@ -39,9 +38,21 @@ ChunkTable::ChunkTable(const PartElements& elements)
       const Index n = connectivity[i];
       if (seen_by[n] == static_cast<std::int32_t>(c)) continue;
       seen_by[n] = static_cast<std::int32_t>(c);
-      met[n] = static_cast<std::uint8_t>(std::min(met[n] + 1, 2));
+      ++met[n];
     }
   }
+
+  // Slots of shared nodes, in the order of chunks.
+  std::vector<std::int32_t> next_slot(node_total, -1);
+  shared.first.push_back(0);
+  for (std::size_t n = 0; n < node_total; ++n)
+    if (met[n] > 1) {
+      next_slot[n] = shared.first.back();
+      shared.node.push_back(static_cast<Index>(n));
+      shared.first.push_back(shared.first.back() + met[n]);
+    }
+  shared.slot.resize(static_cast<std::size_t>(shared.first.back()));
+  std::int32_t slot_count = 0;
 
   // Nodes of each chunk, its own first, each group ascending; then the local connectivity.
   std::vector<std::uint16_t> place(node_total);
@@ -51,7 +62,7 @@ ChunkTable::ChunkTable(const PartElements& elements)
                             connectivity.begin() + static_cast<std::ptrdiff_t>(end));
     std::sort(mine.begin(), mine.end());
     mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-    const auto shared = std::stable_partition(mine.begin(), mine.end(), [&](Index n) { return met[n] == 1; });
+    const auto rest = std::stable_partition(mine.begin(), mine.end(), [&](Index n) { return met[n] == 1; });
     CLEAVE_ASSERT(mine.size() < 65536, "local node numbers have 16 bits");
     for (std::size_t i = 0; i < mine.size(); ++i) place[mine[i]] = static_cast<std::uint16_t>(i);
 
@@ -60,8 +71,11 @@ ChunkTable::ChunkTable(const PartElements& elements)
     chunk.batch_count = static_cast<std::int32_t>(
         std::min<std::size_t>(batches_per_chunk, batch_count - c * batches_per_chunk));
     chunk.first_node = static_cast<std::int32_t>(nodes.size());
-    chunk.own_count = static_cast<std::int32_t>(shared - mine.begin());
+    chunk.own_count = static_cast<std::int32_t>(rest - mine.begin());
     chunk.node_count = static_cast<std::int32_t>(mine.size());
+    chunk.first_slot = slot_count;
+    for (auto n = rest; n != mine.end(); ++n)
+      shared.slot[static_cast<std::size_t>(next_slot[static_cast<std::size_t>(*n)]++)] = slot_count++;
     chunks.push_back(chunk);
     largest_node_count = std::max(largest_node_count, chunk.node_count);
     nodes.insert(nodes.end(), mine.begin(), mine.end());
@@ -77,7 +91,9 @@ ChunkTable::ChunkTable(const PartElements& elements)
 double ChunkTable::bytes() const {
   return static_cast<double>(id.size() * sizeof(Id) + connectivity.size() * sizeof(Index) +
                              chunks.size() * sizeof(Chunk) + nodes.size() * sizeof(Index) +
-                             local.size() * sizeof(std::uint16_t));
+                             local.size() * sizeof(std::uint16_t) +
+                             shared.node.size() * (sizeof(Index) + sizeof(std::int32_t)) +
+                             shared.slot.size() * (sizeof(std::int32_t) + 4 * sizeof(std::int64_t)));
 }
 
 }  // namespace cleave::discretisation

@@ -2,9 +2,9 @@
 /// Elements of a block cut into chunks: the unit of work of a thread and of the memory that stays in cache.
 ///
 /// A chunk copies what it needs of its nodes into local memory, sums forces there, and gives them to the
-/// global sum at its end. Chunks follow a space-filling curve, so most of their nodes are their own; only
-/// nodes that others touch as well need atomic additions. Their number and content do not depend on the
-/// number of threads.
+/// global sum at its end. Chunks follow a space-filling curve, so most of their nodes are their own; sums of
+/// nodes that several chunks touch are set aside and added together, node by node, when all chunks are done.
+/// The number and content of chunks do not depend on the number of threads.
 
 #include <cstdint>
 #include <vector>
@@ -19,8 +19,16 @@ namespace cleave::discretisation {
 struct Chunk {
   std::int32_t first_batch = 0, batch_count = 0;
   std::int32_t first_node = 0;  ///< offset into ChunkTable::nodes
-  std::int32_t own_count = 0;   ///< nodes nobody else touches; they come first
+  std::int32_t own_count = 0;   ///< nodes no other chunk of the block touches; they come first
   std::int32_t node_count = 0;  ///< own and shared
+  std::int32_t first_slot = 0;  ///< where the sums of its shared nodes are set aside
+};
+
+/// Nodes that several chunks touch, and where their partial sums are.
+struct SharedNodes {
+  std::vector<Index> node;          ///< ascending
+  std::vector<std::int32_t> first;  ///< [node + 1], offsets into slot
+  std::vector<std::int32_t> slot;   ///< in the order of chunks
 };
 
 /// The elements of a block in curve order, cut into chunks.
@@ -33,7 +41,8 @@ struct ChunkTable {
   std::vector<Chunk> chunks;
   std::vector<Index> nodes;          ///< of all chunks, see Chunk
   base::Array<std::uint16_t> local;  ///< [batch][node][lane], position in the chunk's nodes
-  int largest_node_count = 0;        ///< of any chunk
+  SharedNodes shared;
+  int largest_node_count = 0;  ///< of any chunk
 
   static constexpr int batches_per_chunk = 64;
 

@@ -47,8 +47,8 @@ class ForceSum {
   /// Was a contribution with these magnitude bits out of the range of quantum()?
   static bool out_of_range(std::int64_t bits) { return bits >= (std::int64_t{1} << 51); }
 
-  /// Adds integers of quantum(). `shared` nodes (touched by more than one chunk) are added atomically:
-  /// integers make that legal.
+  /// Adds integers of quantum(). Nodes that another thread may add to at the same time are `shared` and
+  /// added atomically: integers make that legal.
   void add(std::int32_t node, int component, std::int64_t integer, bool shared) {
     std::int64_t& slot = sum_[3 * static_cast<std::size_t>(node) + component];
     if (shared)
@@ -56,6 +56,13 @@ class ForceSum {
     else
       slot += integer;
   }
+  /// Memory for partial sums that a block sets aside while its chunks run, four integers per slot.
+  std::int64_t* partial_sums(std::size_t slot_count) {
+    if (partial_.size() < 4 * slot_count) partial_.resize(4 * slot_count);
+    return partial_.data();
+  }
+  /// Asks for the memory of a node that add() will touch soon.
+  void prefetch(std::int32_t node) const { __builtin_prefetch(&sum_[3 * static_cast<std::size_t>(node)], 1); }
   /// Adds any finite value, from any thread: slow path for loads, walls and contributions beyond the limit.
   void add_value(std::int32_t node, int component, double value);
 
@@ -78,6 +85,7 @@ class ForceSum {
   static constexpr std::int64_t magic_bits = std::bit_cast<std::int64_t>(magic);
 
   base::Array<std::int64_t> sum_;  // [node][3]
+  base::Array<std::int64_t> partial_;
   // Rare: (slot, level) -> integer; level n has the scale divided by 2^(32 n).
   std::map<std::pair<std::int64_t, int>, std::int64_t> coarse_;
   std::mutex coarse_lock_;

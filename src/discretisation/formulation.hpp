@@ -1,7 +1,6 @@
 #pragma once
 /// The catalogue of formulations: what turns a part into blocks.
 
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -19,8 +18,6 @@ struct PartElements {
   model::Shape shape = model::Shape::hex8;
   std::vector<Id> id;
   std::vector<Index> node;  ///< [element][nodes_of(shape)]
-  /// [node] 1 where elements of another part or shape touch the node as well; empty: nowhere.
-  std::span<const std::uint8_t> common_node;
 };
 
 /// One file, one line in catalogue.inc.

@@ -8,34 +8,10 @@
 #include "model/material/law.hpp"
 
 namespace cleave::discretisation {
-namespace {
-
-/// Marks nodes that belong to elements of more than one part or shape.
-std::vector<std::uint8_t> common_nodes(const model::Mesh& mesh) {
-  constexpr int none = -1, several = -2;
-  std::vector<std::int64_t> owner(mesh.nodes.count(), none);
-  for (std::size_t s = 0; s < mesh.solids.size(); ++s) {
-    const auto& solids = mesh.solids[s];
-    const auto per = static_cast<std::size_t>(model::nodes_of(solids.shape));
-    for (std::size_t i = 0; i < solids.node.size(); ++i) {
-      const std::int64_t me =
-          static_cast<std::int64_t>(solids.part[i / per]) * static_cast<std::int64_t>(mesh.solids.size()) +
-          static_cast<std::int64_t>(s);
-      std::int64_t& who = owner[static_cast<std::size_t>(solids.node[i])];
-      who = who == none || who == me ? me : several;
-    }
-  }
-  std::vector<std::uint8_t> common(owner.size());
-  std::ranges::transform(owner, common.begin(), [](std::int64_t who) { return who == several; });
-  return common;
-}
-
-}  // namespace
 
 World build(const model::Model& model, deck::Diagnostics& diagnostics) {
   World world;
   world.model = &model;
-  const auto common = common_nodes(model.mesh);
   // Parts in the order of the model, shapes in the order of the mesh: one pass over the elements per shape.
   std::vector<std::deque<PartElements>> by_part(model.parts.size());
   for (const auto& solids : model.mesh.solids) {
@@ -46,7 +22,7 @@ World build(const model::Model& model, deck::Diagnostics& diagnostics) {
       const auto p = static_cast<std::size_t>(part);
       if (met[p]) continue;
       met[p] = true;
-      by_part[p].push_back({model, part, solids.shape, {}, {}, common});
+      by_part[p].push_back({model, part, solids.shape, {}, {}});
       target[p] = &by_part[p].back();
     }
     for (std::size_t e = 0; e < solids.count(); ++e) {

@@ -38,6 +38,9 @@ struct ChunkMemory {
     const Index* list = table.nodes.data() + chunk.first_node;
     double* to = node.data();
     for (std::size_t i = 0; i < count; ++i, to += row) {
+      const std::size_t ahead = 3 * static_cast<std::size_t>(list[std::min(i + 16, count - 1)]);
+      __builtin_prefetch(position + ahead);
+      __builtin_prefetch(velocity + ahead);
       const double* x = position + 3 * static_cast<std::size_t>(list[i]);
       const double* v = velocity + 3 * static_cast<std::size_t>(list[i]);
       const Lanes::Vector line = {x[0], x[1], x[2], 0.0, v[0], v[1], v[2], 0.0};

@@ -85,11 +85,13 @@ class SolidBlock final : public Block {
 
   StepOutput add_force(const StepInput& input, BlockState& state, ForceSum& force) const override {
     std::vector<StepOutput> results(table_.chunks.size());
-    const bool alone = base::thread_count() == 1;
+    std::int64_t* partial =
+        base::thread_count() > 1 ? force.partial_sums(table_.shared.slot.size()) : nullptr;
     base::for_each_chunk(table_.chunks.size(), [&](std::size_t c) {
       thread_local ThreadMemory memory;
-      run_chunk(table_.chunks[c], input, state, force, alone, memory, results[c]);
+      run_chunk(table_.chunks[c], input, state, force, partial, memory, results[c]);
     });
+    if (partial) add_shared(partial, force);
     return merged(std::move(results));
   }
 
@@ -190,8 +192,8 @@ class SolidBlock final : public Block {
     return {false, part_, table_.id[table_.element(batch, lane)], what, likely_cause};
   }
 
-  void run_chunk(const Chunk& chunk, const StepInput& input, BlockState& state, ForceSum& force, bool alone,
-                 ThreadMemory& memory, StepOutput& result) const {
+  void run_chunk(const Chunk& chunk, const StepInput& input, BlockState& state, ForceSum& force,
+                 std::int64_t* partial, ThreadMemory& memory, StepOutput& result) const {
     memory.nodes.load(table_, chunk, input.position, input.velocity);
     ChunkSums sums;
     alignas(64) double steps[ChunkTable::batches_per_chunk * lane_count];
@@ -210,7 +212,7 @@ class SolidBlock final : public Block {
                   steps + (b - static_cast<std::size_t>(chunk.first_batch)) * lane_count, sums, result);
       }
     }
-    flush(chunk, memory, force, alone);
+    flush(chunk, memory, force, partial);
     force.report_magnitude(sums.magnitude);
     result.internal_energy = base::sum(sums.internal);
     result.hourglass_energy = base::sum(sums.hourglass);
@@ -241,10 +243,23 @@ class SolidBlock final : public Block {
       x[a] = at.x;
       v[a] = at.v;
     }
+    prefetch_records(batch + tile_batches, state);
     const Lanes living = Lanes::load(state.alive.data() + batch * lane_count);
     const base::Mask active = living > Lanes(0.0);
     strain_pass(element_, options_, layout_, x, v, input.dt, records_of(batch, state), active, kept, point);
     if (!all((kept.least > Lanes(0.0)) | !active)) report_inverted(batch, kept.least, living, result);
+  }
+
+  // The records of the next tile arrive while this one is computed; beyond the end it does no harm.
+  void prefetch_records(std::size_t batch, const BlockState& state) const {
+    const auto ask = [](const double* first, std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i) __builtin_prefetch(first + i * lane_count, 1);
+    };
+    const std::size_t point = points * static_cast<std::size_t>(layout_.size());
+    ask(state.point.data() + batch * point * lane_count, point);
+    ask(state.element.data() + batch * static_cast<std::size_t>(element_size_) * lane_count,
+        static_cast<std::size_t>(element_size_));
+    __builtin_prefetch(state.alive.data() + batch * lane_count);
   }
 
   [[gnu::noinline]] void report_inverted(std::size_t batch, const Lanes& least, const Lanes& living,
@@ -364,13 +379,34 @@ class SolidBlock final : public Block {
     return kept_bits;
   }
 
-  void flush(const Chunk& chunk, const ThreadMemory& memory, ForceSum& force, bool alone) const {
+  // Sums of own nodes go to the global sum, those of shared nodes are set aside unless there is one thread.
+  void flush(const Chunk& chunk, const ThreadMemory& memory, ForceSum& force, std::int64_t* partial) const {
     const Index* list = table_.nodes.data() + chunk.first_node;
     const std::int64_t* f = memory.nodes.force.data();
-    for (std::int32_t i = 0; i < chunk.node_count; ++i, f += force_row) {
-      const bool shared = i >= chunk.own_count && !alone;
-      for (int k = 0; k < 3; ++k) force.add(list[i], k, -f[k], shared);
+    const std::int32_t direct = partial ? chunk.own_count : chunk.node_count;
+    for (std::int32_t i = 0; i < direct; ++i, f += force_row) {
+      force.prefetch(list[std::min(i + 16, chunk.node_count - 1)]);
+      for (int k = 0; k < 3; ++k) force.add(list[i], k, -f[k], false);
     }
+    if (partial)
+      std::copy(f, memory.nodes.force.data() + chunk.node_count * force_row,
+                partial + static_cast<std::ptrdiff_t>(chunk.first_slot) * force_row);
+  }
+
+  // One thread per shared node adds what the chunks set aside.
+  void add_shared(const std::int64_t* partial, ForceSum& force) const {
+    const SharedNodes& shared = table_.shared;
+    base::for_each_range(shared.node.size(), 2048, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        std::int64_t sum[3] = {0, 0, 0};
+        for (std::int32_t s = shared.first[n]; s < shared.first[n + 1]; ++s)
+          for (int k = 0; k < 3; ++k)
+            sum[k] +=
+                partial[static_cast<std::ptrdiff_t>(shared.slot[static_cast<std::size_t>(s)]) * force_row +
+                        k];
+        for (int k = 0; k < 3; ++k) force.add(shared.node[n], k, -sum[k], false);
+      }
+    });
   }
 
   // Chunk results in chunk order.

@@ -64,7 +64,7 @@ struct Sample {
   std::unique_ptr<Block> block(int form = 1) const {
     deck::Diagnostics diagnostics;
     const auto& solids = model.mesh.solids[0];
-    const PartElements elements{model, 0, solids.shape, solids.id, solids.node, {}};
+    const PartElements elements{model, 0, solids.shape, solids.id, solids.node};
     return find_formulation("SOLID", form, solids.shape)->build(elements, diagnostics);
   }
 };
