@@ -3,7 +3,8 @@
 ///   q = stiffness x + flow_stress(x),  x > 0 the increment of effective plastic strain,
 /// q the trial stress beyond which the point flows. Newton's method in u = ln x: there the smooth hardening
 /// and rate laws used here are convex, so that iterates started above the root fall monotonically to it; a
-/// bracket catches curves that are not. The number of iterations is fixed: no lane waits for another.
+/// bracket catches curves that are not. A lane that has converged rests, so that its result does not depend
+/// on the others.
 
 #include <algorithm>
 #include <cmath>
@@ -70,10 +71,16 @@ struct LinearHardening {
   Real bound(const Real&) const { return Real(1e300); }
 };
 
+/// Newton's method has arrived when a step changes its unknown by less than this part: the next one would
+/// change it by the square.
+inline constexpr double last_change = 1e-8;
+
 /// Increment of effective plastic strain; 0 where q is not beyond the static flow stress. Relative accuracy
-/// near roundoff for smooth laws in 10 iterations.
-template <int iteration_count = 10, class Real, class Hardening, class RateLaw>
+/// near roundoff; smooth laws take 3 to 8 iterations, kinks of a curve may throw an iterate back to the
+/// bracket.
+template <class Real, class Hardening, class RateLaw>
 Real viscoplastic_flow(const Real& q, double stiffness, const Hardening& hardening, const RateLaw& rate) {
+  constexpr int most_iterations = 40;
   const Real start = hardening.start(), excess = q - start;
   const auto flows = excess > Real(0.0);
   if (!any(flows)) return Real(0.0);
@@ -82,7 +89,8 @@ Real viscoplastic_flow(const Real& q, double stiffness, const Hardening& hardeni
   Real u = log(positive(min(excess * Real(1.0 / stiffness), hardening.bound(q))));
   u = min(u, rate.bound(q, start));
   Real high = u, low = u - Real(60.0);
-  for (int i = 0; i < iteration_count; ++i) {
+  auto moving = flows;
+  for (int i = 0; i < most_iterations && any(moving); ++i) {
     const Real x = exp(u), h = hardening.value(x);
     const auto r = rate.term(u);
     const Real residual = q - Real(stiffness) * x - h * r.factor - r.addition;
@@ -91,9 +99,13 @@ Real viscoplastic_flow(const Real& q, double stiffness, const Hardening& hardeni
     const auto above = residual <= Real(0.0);
     high = select(above, u, high);
     low = select(above, low, u);
-    const Real next = u + residual / positive(slope), margin(1e-9);
+    Real next = u + residual / positive(slope);
+    const Real margin(1e-9);
     const auto outside = (next < low - margin) | (next > high + margin);
-    u = select(outside, Real(0.5) * (low + high), next);
+    next = select(outside, Real(0.5) * (low + high), next);
+    const auto moved = abs(next - u) > Real(last_change);
+    u = select(moving, next, u);
+    moving = moving & moved;
   }
   return select(flows, exp(u), Real(0.0));
 }

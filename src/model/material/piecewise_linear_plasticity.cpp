@@ -61,13 +61,11 @@ struct PiecewiseLinearPlasticity {
   /// The rate of plastic strain, part of the solution.
   template <class P, class Real>
   Real flow_at_own_rate(const P& p, const Real& q) const {
-    constexpr int iteration_count = 20;  // kinks of the curve may throw Newton back to the bracket
     const double inverse = inverse_step(p.dt), stiffness = 3.0 * elastic.shear;
     const CurveHardening<Real> curve(hardening, p.state[0], inverse);
-    if (form == Rate::table) return viscoplastic_flow<iteration_count>(q, stiffness, curve, NoRate{});
-    if (form == Rate::curve)
-      return viscoplastic_flow<iteration_count>(q, stiffness, curve, CurveRate(factors, inverse));
-    return viscoplastic_flow<iteration_count>(q, stiffness, curve, CowperSymondsFlow(symonds, p.dt, added));
+    if (form == Rate::table) return viscoplastic_flow(q, stiffness, curve, NoRate{});
+    if (form == Rate::curve) return viscoplastic_flow(q, stiffness, curve, CurveRate(factors, inverse));
+    return viscoplastic_flow(q, stiffness, curve, CowperSymondsFlow(symonds, p.dt, added));
   }
 };
 

@@ -20,10 +20,11 @@ struct PowerHardening {
 /// Increment x >= 0 of plastic strain with q = stiffness x + factor (a + b (e + x)^n).
 /// @param e strain at the begin of the step, as in the hardening law; @param factor of rate and temperature.
 /// Newton's method, in e^n for n < 1 and in e for n > 1: concave in either, so iterates started above the
-/// root fall to it. Accurate to a few roundoffs of q / stiffness for 0.05 < n < 20.
+/// root fall to it; a lane that has converged rests. Accurate to a few roundoffs of q / stiffness for 0.05 <
+/// n < 20.
 template <class Real>
 Real power_flow(const Real& q, double stiffness, const Real& factor, const Real& e, const PowerHardening& h) {
-  constexpr int iteration_count = 6;
+  constexpr int most_iterations = 12;
   const Real n(h.n), inverse(1.0 / h.n);
   const Real excess = q - factor * (Real(h.a) + Real(h.b) * pow(e, n));
   const auto flows = excess > Real(0.0);
@@ -36,13 +37,17 @@ Real power_flow(const Real& q, double stiffness, const Real& factor, const Real&
   Real z = root ? min(pow(reach, n), power_bound) : min(reach, pow(positive(power_bound), inverse));
   z = positive(z);
   const Real hardening = factor * Real(h.b);
-  for (int i = 0; i < iteration_count; ++i) {
+  auto moving = flows;
+  for (int i = 0; i < most_iterations && any(moving); ++i) {
     const Real other = pow(z, root ? inverse : n), over_z = Real(1.0) / z;
     const Real strain = root ? other : z, power = root ? z : other;
     const Real residual = q - Real(stiffness) * (strain - e) - factor * Real(h.a) - hardening * power;
     const Real slope = root ? Real(stiffness) * inverse * strain * over_z + hardening
                             : Real(stiffness) + hardening * n * power * over_z;
-    z = positive(z + residual / slope);
+    const Real next = positive(z + residual / slope);
+    const auto moved = abs(next - z) > Real(last_change) * z;
+    z = select(moving, next, z);
+    moving = moving & moved;
   }
   const Real power = root ? z : pow(z, n);
   const Real flow = (q - factor * Real(h.a) - hardening * power) * Real(1.0 / stiffness);
