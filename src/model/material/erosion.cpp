@@ -83,7 +83,7 @@ class ErodingLaw final : public Law {
   double bulk_modulus() const override { return inner_->bulk_modulus(); }
   int failed_points_needed() const override { return failed_points_; }
 
-  void update(const Tile& tile) const override {
+  [[gnu::flatten]] void update(const Tile& tile) const override {
     inner_->update(inside(tile));
     for (int b = 0; b < tile.batch_count; ++b) judge<base::Lanes>(tile, b, 0);
   }

@@ -87,7 +87,8 @@ class TiledLaw final : public Law {
   double shear_modulus() const override { return law_.shear(); }
   const Description& description() const { return law_; }
 
-  void update(const Tile& tile) const override {
+  // Flattened: at -O2 the compiler leaves small tensor functions as calls, which costs more than the law.
+  [[gnu::flatten]] void update(const Tile& tile) const override {
     if constexpr (detail::UsesPressure<Description>) {
       PressureLine<base::Lanes> lines[batches_at_once];
       for (int first = 0; first < tile.batch_count; first += batches_at_once) {
