@@ -2,7 +2,8 @@
 # tidy.sh BUILD [FILE PATTERN]: clang-tidy with the list of .clang-tidy on every source; says only what is wrong.
 # Findings inside the system's headers are not ours; a header's finding is shown once, not per file including it.
 set -euo pipefail
-# Sources that the build writes must be there to be included.
+# Files come and go: configure anew. Sources that the build writes must be there to be included.
+cmake "$1" --log-level=WARNING >/dev/null
 written=$(ninja -C "$1" -t targets all | sed -nE 's/^(generated\/[^:]*): CUSTOM_COMMAND.*/\1/p')
 [ -z "$written" ] || ninja -C "$1" --quiet $written
 said=$(run-clang-tidy-14 -quiet -p "$1" -j "$(nproc)" "$PWD/src/.*${2:-}" 2>&1) || true
