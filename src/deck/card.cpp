@@ -95,7 +95,7 @@ std::string_view Card::text(std::string_view name, std::size_t row) const {
   const table::Field* field = nullptr;
   const Data::LineRead* line = nullptr;
   const Cell* cell = data_->cell(name, row, field, line);
-  if (cell == nullptr || !cell->given) return field->text;
+  if (cell == nullptr || !cell->given || field->type != 'A') return field->text;
   return {cell->text, cell->size};
 }
 

@@ -14,9 +14,9 @@ struct Cell {
   union {
     std::int64_t integer;
     double real;
+    const char* text;  ///< of type A
   };
-  const char* text = nullptr;  ///< of type A
-  std::uint32_t size = 0;
+  std::uint32_t size = 0;   ///< of the text
   std::int32_t column = 0;  ///< from 1
   std::uint16_t width = 0;
   bool given = false;

@@ -51,7 +51,7 @@ class CardReader final : public ConditionValues {
     const table::Field& f = table::field(layout_, field);
     if (latest_[field] == not_read || !card_->cells[latest_[field]].given) return f.number;
     const Cell& cell = card_->cells[latest_[field]];
-    return f.type == 'I' ? static_cast<double>(cell.integer) : cell.real;
+    return f.type == 'I' ? static_cast<double>(cell.integer) : f.type == 'F' ? cell.real : 0.0;
   }
   std::string_view text(std::size_t field) const override {
     if (latest_[field] == not_read || !card_->cells[latest_[field]].given)
@@ -187,13 +187,7 @@ class CardReader final : public ConditionValues {
     const table::Field* fields = fields_of(item);
     cutter_.cut(line_.text, fields, item.field_count, body_.format);
     if (item.field_count == 0) return;
-    if (!cutter_.comma() && has_broken_number(fields, item.field_count) && cutter_.cut_at_blanks()) {
-      diagnostics_.warning(
-          {body_.file, line_.number, 1, static_cast<int>(std::min<std::size_t>(line_.text.size(), 80))},
-          block_.keyword, {},
-          "the values do not stand in their columns; they were read one after the other, as blanks part them",
-          "shift them into the columns, or write commas between them");
-    }
+    if (!cutter_.comma()) check_columns(fields, item.field_count);
     add_line(item, cutter_);
     if (!item.wrap || !cutter_.comma()) return;
     // A comma line may go on with further rows; anything but a value behind the last field is a remark.
@@ -205,6 +199,25 @@ class CardReader final : public ConditionValues {
       add_line(item, cutter_);
     }
     shift_ = 0;
+  }
+
+  /// Values that do not stand in their columns are read one after the other where that is the only way.
+  void check_columns(const table::Field* fields, std::size_t count) {
+    const bool cut = cutter_.cuts_a_number();
+    if (!cut && !has_broken_number(fields, count)) return;
+    const Place place{body_.file, line_.number, 1,
+                      static_cast<int>(std::min<std::size_t>(line_.text.size(), 80))};
+    const char* const hint = "shift them into the columns, or write commas between them";
+    if (cutter_.cut_at_blanks()) {
+      diagnostics_.warning(
+          place, block_.keyword, {},
+          "the values do not stand in their columns; they were read one after the other, as blanks part them",
+          hint);
+    } else if (cut) {
+      diagnostics_.warning(place, block_.keyword, {},
+                           "a number runs over the border of its column; the columns were taken as they are",
+                           hint);
+    }
   }
 
   /// Is there a field that columns cut wrongly? References are judged when they are read.
@@ -285,43 +298,21 @@ class CardReader final : public ConditionValues {
                                Card::Data::Series& series) {
     const bool integer = field.type == 'I';
     const std::size_t start = integer ? series.integers.size() : series.reals.size();
-    const auto size = [&] { return (integer ? series.integers.size() : series.reals.size()) - start; };
     const auto resize = [&](std::size_t n) {
       integer ? series.integers.resize(start + n) : series.reals.resize(start + n);
     };
-    std::size_t position = 0;
-    const auto take = [&](std::string_view raw) {
-      const std::string_view value = trim(raw);
-      ++position;
-      if (value.empty()) return;
-      resize(position);
-      const Place place{body_.file, line_.number, static_cast<int>(value.data() - line_.text.data()) + 1,
-                        static_cast<int>(value.size())};
+    std::size_t count = 0;
+    cut_series(line_.text, item, body_.format, wanted, [&](std::size_t position, const Slice& slice) {
+      resize(count = position + 1);
+      const Place place{body_.file, line_.number, slice.column, slice.width};
       if (integer)
-        read_value(value, context_, field.name, place, series.integers.back());
+        read_value(slice.text, context_, table::first_name(field.name), place, series.integers.back());
       else
-        read_value(value, context_, field.name, place, series.reals.back());
-    };
-    const std::size_t width = body_.format == Format::wide  ? 20
-                              : body_.format == Format::ten ? std::max<std::size_t>(10, item.width)
-                                                            : item.width;
-    const std::size_t columns = width * item.per_line;
-    if (find_format_comma(line_.text, columns) != std::string_view::npos) {
-      for (std::string_view rest = line_.text; position < wanted;) {
-        const std::size_t comma = find_comma(rest);
-        take(rest.substr(0, comma));
-        if (comma == std::string_view::npos) break;
-        rest.remove_prefix(comma + 1);
-      }
-    } else {
-      for (;
-           position < std::min<std::size_t>(item.per_line, wanted) && position * width < line_.text.size();) {
-        take(line_.text.substr(position * width, width));
-      }
-    }
+        read_value(slice.text, context_, table::first_name(field.name), place, series.reals.back());
+    });
     // A counted series keeps its positions, so blanks at the end of a line count; ids are only padded.
-    if (!item.to_end) resize(std::max(size(), std::min<std::size_t>(item.per_line, wanted)));
-    return std::max<std::size_t>(1, size());
+    if (!item.to_end) resize(count = std::max(count, std::min<std::size_t>(item.per_line, wanted)));
+    return std::max<std::size_t>(1, count);
   }
 
   void read_text(const table::Item& item) {

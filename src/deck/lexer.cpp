@@ -14,9 +14,10 @@ bool is_long_text(const table::Field& f) {
 }  // namespace
 
 std::string expand_tabs(std::string_view text) {
+  constexpr std::size_t longest = 1000000;  // no line of columns comes near; bounds what a line of tabs takes
   std::string result;
   for (const char c : text) {
-    if (c != '\t')
+    if (c != '\t' || result.size() > longest)
       result += c;
     else
       result.append(8 - result.size() % 8, ' ');
@@ -84,6 +85,24 @@ void FieldCutter::cut(std::string_view line, const table::Field* fields, std::si
   }
 }
 
+bool FieldCutter::cuts_a_number() const {
+  for (std::size_t k = 0; !comma_ && k + 1 < count_; ++k) {
+    const Columns left = columns_of(fields_[k], format_), right = columns_of(fields_[k + 1], format_);
+    const std::size_t border = left.offset + left.width;
+    if (border >= line_.size()) break;
+    if (right.offset != border || fields_[k].type == 'A' || fields_[k + 1].type == 'A') continue;
+    if (line_[border - 1] == ' ' || line_[border] == ' ') continue;
+    const std::string_view next = line_.substr(border, right.width);
+    if (next.size() == right.width && next.back() != ' ') continue;
+    const std::size_t first = line_.find_last_of(' ', border - 1) + 1;  // npos + 1 is the begin of the line
+    const std::string_view whole =
+        line_.substr(first, std::min(line_.find(' ', border), line_.size()) - first);
+    double real = 0.0;
+    if (parse_real(whole, real) == NumberState::good) return true;
+  }
+  return false;
+}
+
 bool FieldCutter::cut_at_blanks() {
   if (comma_ || count_ == 0 || is_long_text(fields_[count_ - 1])) return false;
   std::vector<std::string_view> values;
@@ -121,6 +140,31 @@ Slice FieldCutter::slice(std::size_t n) const {
   const std::string_view value =
       columns.offset < line_.size() ? trim(line_.substr(columns.offset, columns.width)) : std::string_view();
   return {value, static_cast<int>(columns.offset) + 1, static_cast<int>(columns.width)};
+}
+
+void cut_series(std::string_view line, const table::Item& item, Format format, std::size_t wanted,
+                const std::function<void(std::size_t position, const Slice& slice)>& take) {
+  const std::size_t width = format == Format::wide  ? 20
+                            : format == Format::ten ? std::max<std::size_t>(10, item.width)
+                                                    : item.width;
+  const auto hand_on = [&](std::size_t position, std::string_view raw) {
+    const std::string_view value = trim(raw);
+    if (value.empty()) return;
+    take(position, {value, static_cast<int>(value.data() - line.data()) + 1, static_cast<int>(value.size())});
+  };
+  if (find_format_comma(line, width * item.per_line) != std::string_view::npos) {
+    std::string_view rest = line;
+    for (std::size_t position = 0; position < wanted; ++position) {
+      const std::size_t comma = find_comma(rest);
+      hand_on(position, rest.substr(0, comma));
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+  } else {
+    const std::size_t most = std::min<std::size_t>(item.per_line, wanted);
+    for (std::size_t k = 0; k < most && k * width < line.size(); ++k)
+      hand_on(k, line.substr(k * width, width));
+  }
 }
 
 std::size_t count_values(std::string_view line, const table::Field* fields, std::size_t count,

@@ -2,6 +2,7 @@
 /// Lines and fields: where they begin and end, in every format a deck may mix.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,6 +87,9 @@ class FieldCutter {
   /// its column, every value suits its field, and either all fields have one or each lies in its own columns.
   /// True: done, slices are those now.
   bool cut_at_blanks();
+  /// Does a number run over the border of its column, so that its end would be read as another value? Numbers
+  /// that touch fill their columns; one that begins at the border and ends early is a piece of its neighbour.
+  bool cuts_a_number() const;
   bool comma() const { return comma_; }
   /// The value of the n-th field of the table's line; empty where blank or missing.
   Slice slice(std::size_t n) const;
@@ -101,6 +105,11 @@ class FieldCutter {
   std::vector<std::string_view> pieces_;
   std::string_view rest_;
 };
+
+/// Cuts a line of a series into its values and hands on those that are not blank, with their positions on the
+/// line. A comma line may hold more than the table says; no more than `wanted` positions are looked at.
+void cut_series(std::string_view line, const table::Item& item, Format format, std::size_t wanted,
+                const std::function<void(std::size_t position, const Slice& slice)>& take);
 
 /// Does the text begin as a number, a parameter or an expression does?
 inline bool begins_value(std::string_view text) {

@@ -149,6 +149,12 @@ TEST(Format, ShiftedColumnsAreReadAtBlanksWithAWarning) {
   EXPECT_EQ(r.card("CONTROL_TERMINATION").real("ENDTIM"), 1e-3);
   EXPECT_EQ(r.errors(), 0u) << r.rendered();
   EXPECT_EQ(r.warnings(), 2u);
+  // A number that its column would cut in two is the worst: it would be read as another number.
+  Reading small("*CONTROL_TERMINATION\n     1.00E-13\n*DEFINE_VECTOR\n         1     123.456       2.0\n");
+  EXPECT_EQ(small.card("CONTROL_TERMINATION").real("ENDTIM"), 1e-13);
+  EXPECT_EQ(small.card("DEFINE_VECTOR").real("XT"), 123.456);
+  EXPECT_EQ(small.card("DEFINE_VECTOR").real("YT"), 2.0);
+  EXPECT_EQ(small.warnings(), 2u) << small.rendered();
   // Not if a value is missing somewhere: which one could not be told.
   Reading gap("*BOUNDARY_SPC_NODE\n       1               1       1       1\n");
   gap.read_all();
