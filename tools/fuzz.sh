@@ -9,7 +9,7 @@ share=$((seconds / ${#programs[@]}))
 
 seeds=build/fuzz/seeds
 mkdir -p "$seeds"
-find tests examples -name '*.k' -size -64k -not -path '*/fuzz/*' | while read -r deck; do
+find tests examples \( -name '*.k' -o -name '*.key' -o -name '*.dyn' \) -size -64k -not -path '*/fuzz/*' | while read -r deck; do
   cp -u "$deck" "$seeds/$(echo "$deck" | tr / _)"
 done
 
