@@ -63,6 +63,18 @@ TEST(Raster, SphereCoversItsDisc) {
   }
 }
 
+TEST(Raster, PerspectiveShrinksWhatIsFar) {
+  const auto mesh = test::cubes(1, 1, 1);
+  const Camera camera({.eye = {0, -1, 0}, .opening = 40.0}, mesh.position, 100, 100);
+  const auto width_at = [&](double y) {
+    const double left[3] = {0.0, y, 0.5}, right[3] = {1.0, y, 0.5};
+    return camera.project(right).x - camera.project(left).x;
+  };
+  // The eye stands where the ball around the cube, with a margin of 5 %, fills the opening.
+  const double eye = 1.05 * 0.5 * std::numbers::sqrt3 / std::sin(20.0 * std::numbers::pi / 180.0);
+  EXPECT_NEAR(width_at(0.0) / width_at(1.0), (eye + 0.5) / (eye - 0.5), 1e-12);
+}
+
 TEST(Raster, NearerFaceHidesTheFarther) {
   Scene scene(test::cubes(1, 1, 1));
   for (std::size_t f = 0; f < scene.surface.count(); ++f) {
