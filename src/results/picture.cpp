@@ -9,6 +9,8 @@
 #include <memory>
 #include <system_error>
 
+#include "results/files.hpp"
+
 namespace cleave::results {
 namespace {
 
@@ -232,7 +234,7 @@ std::string write_picture(const PictureModel& model, const PictureOptions& optio
       paper, {options.width - bar_width, area.y + 0.5 * (area.height - bar_height), 1.5 * unit, bar_height},
       drawing.range, unit);
 
-  const std::filesystem::path partial = file.string() + ".partial";
+  const std::filesystem::path partial = file.string() + std::string(unfinished_suffix);
   if (const std::string problem = paper.write(partial); !problem.empty())
     return "cannot write " + file.string() + ": " + problem;
   std::error_code error;

@@ -31,6 +31,23 @@ std::vector<std::vector<float>> element_values(const solver::Frame& frame, const
   return values;
 }
 
+/// "effective plastic strain, at most 2.71 in element 1234": colours are averaged at nodes, this is not.
+std::string name_with_largest(const solver::Frame& frame, std::string name,
+                              const std::vector<std::vector<float>>& values,
+                              const std::vector<std::vector<std::uint8_t>>& alive) {
+  const float* largest = nullptr;
+  discretisation::Id element = 0;
+  for (std::size_t b = 0; b < values.size(); ++b)
+    for (std::size_t e = 0; e < values[b].size(); ++e)
+      if (alive[b][e] && std::isfinite(values[b][e]) && (!largest || values[b][e] > *largest)) {
+        largest = &values[b][e];
+        element = frame.world.blocks[b]->element_ids()[e];
+      }
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (largest) name += ", at most " + number_text(*largest) + " in element " + std::to_string(element);
+  return name;
+}
+
 /// Length of each node's way from where it started. [node] [length]
 std::vector<float> displacements(const solver::Frame& frame) {
   const std::vector<double>& start = frame.model.mesh.nodes.position;
@@ -76,8 +93,7 @@ void PictureWriter::write(const solver::Frame& frame, const char* name) {
   if (std::any_of(blocks.begin(), blocks.end(),
                   [&](const auto& b) { return has_field(*b, options_.field); })) {
     picture.element_value = element_values(frame, options_.field);
-    look.field = options_.field;
-    std::replace(look.field.begin(), look.field.end(), '_', ' ');
+    look.field = name_with_largest(frame, options_.field, picture.element_value, alive);
   } else {
     picture.node_value = displacements(frame);
     look.field = "displacement";

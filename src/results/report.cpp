@@ -1,13 +1,13 @@
 #include "results/report.hpp"
 
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 
+#include "results/files.hpp"
 #include "results/picture_colour.hpp"
 #include "results/report_encode.hpp"
+#include "results/report_file.hpp"
 #include "results/report_history.hpp"
 #include "results/report_page.hpp"
 #include "results/report_scene.hpp"
@@ -19,14 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* history_names[] = {"glstat", "matsum", "nodout", "elout", "rwforc", "spcforc"};
 constexpr const char* picture_names[] = {"initial", "picture"};
-
-std::optional<std::string> read_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream whole;
-  whole << in.rdbuf();
-  return std::move(whole).str();
-}
 
 /// `<` occurs in JSON only inside strings, where the escape means the same and cannot end a script element.
 std::string harmless(std::string_view json) {
@@ -106,7 +98,7 @@ void add_histories(Data& data, const fs::path& directory, std::size_t max_bytes,
 void add_pictures(Data& data, const fs::path& directory) {
   std::string list;
   for (const char* name : picture_names) {
-    const std::optional<std::string> bytes = read_file(directory / (std::string(name) + ".png"));
+    const std::optional<std::string> bytes = read_whole(directory / (std::string(name) + ".png"));
     if (!bytes) continue;
     data.block("image-" + std::string(name), *bytes);
     list += (list.empty() ? "" : ",") + json_text(name);
@@ -133,22 +125,6 @@ std::string fill(std::string_view form,
   return out += form;
 }
 
-std::string write_page(const fs::path& file, std::string_view text) {
-  const fs::path partial = file.string() + ".part";
-  std::error_code error;
-  {
-    std::ofstream out(partial, std::ios::binary);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    if (!out) {
-      fs::remove(partial, error);
-      return "cannot write " + file.string() + ": is the directory writable, and is there room?";
-    }
-  }
-  fs::rename(partial, file, error);
-  return error ? "cannot write " + file.string() + ": " + error.message() : "";
-}
-
 }  // namespace
 
 ReportOutcome write_report(const fs::path& run_directory, const ReportOptions& options) {
@@ -159,7 +135,7 @@ ReportOutcome write_report(const fs::path& run_directory, const ReportOptions& o
     outcome.message = run_directory.string() + " is not a directory; give the directory of a run";
     return outcome;
   }
-  const std::optional<std::string> summary = read_file(run_directory / "summary.json");
+  const std::optional<std::string> summary = read_whole(run_directory / "summary.json");
   if (!summary && !fs::exists(run_directory / "glstat.csv") && !fs::exists(run_directory / "result.pvd")) {
     outcome.message =
         run_directory.string() +
@@ -184,7 +160,8 @@ ReportOutcome write_report(const fs::path& run_directory, const ReportOptions& o
   const std::string page = fill(
       page_html(),
       {{"<!-- style -->", page_style()}, {"<!-- data -->", data.text()}, {"<!-- script -->", page_script()}});
-  outcome.message = write_page(outcome.page, page);
+  if (const std::string problem = write_whole(outcome.page, page); !problem.empty())
+    outcome.message = "cannot write " + outcome.page.string() + ": " + problem;
   outcome.ok = outcome.message.empty();
   return outcome;
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string_view>
 #include <unordered_map>
+
+#include "results/report_file.hpp"
 
 namespace cleave::results {
 namespace {
@@ -40,11 +40,9 @@ std::size_t HistoryTable::rows() const {
 }
 
 std::optional<HistoryTable> read_history(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream whole;
-  whole << in.rdbuf();
-  const std::string text = std::move(whole).str();
+  const std::optional<std::string> bytes = read_whole(file);
+  if (!bytes) return std::nullopt;
+  const std::string& text = *bytes;
 
   HistoryTable table;
   table.name = file.stem().string();

@@ -2,24 +2,16 @@
 
 #include <charconv>
 #include <cstring>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string_view>
+
+#include "results/report_file.hpp"
 
 namespace cleave::results {
 namespace {
 
 using model::Index;
 using model::Shape;
-
-std::optional<std::string> read_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream whole;
-  whole << in.rdbuf();
-  return std::move(whole).str();
-}
 
 /// Value of NAME="..." in a tag; empty when absent.
 std::string_view attribute(std::string_view tag, std::string_view name) {
@@ -206,7 +198,7 @@ std::vector<SolidCells> VtuFrame::cells() const {
 
 std::vector<FrameFile> read_pvd(const std::filesystem::path& file) {
   std::vector<FrameFile> frames;
-  const std::optional<std::string> text = read_file(file);
+  const std::optional<std::string> text = read_whole(file);
   if (!text) return frames;
   const std::string_view all = *text;
   for (std::size_t at = all.find("<DataSet"); at != std::string_view::npos;
@@ -218,7 +210,7 @@ std::vector<FrameFile> read_pvd(const std::filesystem::path& file) {
 }
 
 std::string read_vtu(const std::filesystem::path& file, VtuFrame& frame) {
-  std::optional<std::string> bytes = read_file(file);
+  std::optional<std::string> bytes = read_whole(file);
   if (!bytes) return "it cannot be read";
   frame = {};
   return Reader(std::move(*bytes)).read(frame);

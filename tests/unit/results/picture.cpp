@@ -188,7 +188,7 @@ TEST_F(PictureFile, IsReadBackWithTheColoursOfTheField) {
   cairo_surface_destroy(image);
   EXPECT_GT(white, options.width * options.height / 3);
   EXPECT_GT(coloured, options.width * options.height / 20);
-  EXPECT_FALSE(std::filesystem::exists(directory / "picture.png.partial"));
+  EXPECT_FALSE(std::filesystem::exists(directory / "picture.png.part"));
 }
 
 TEST_F(PictureFile, FailureSaysWhy) {
