@@ -59,7 +59,8 @@ struct Control {
   BulkViscosity viscosity;
   EnergyControl energy;
   Hourglass hourglass;               ///< default for parts without their own
-  int invariant_node_numbering = 0;  ///< *CONTROL_ACCURACY INN
+  int invariant_node_numbering = 1;  ///< *CONTROL_ACCURACY INN, 1 none
+  int solid_sort = 0;                ///< *CONTROL_SOLID ESORT: 1 tetrahedra and wedges take ELFORM 10 and 15
 };
 
 }  // namespace cleave::model

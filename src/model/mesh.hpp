@@ -30,8 +30,11 @@ struct Nodes {
   std::vector<Id> id;            ///< ascending; the index of a node is its rank
   std::vector<double> position;  ///< [node][3], reference configuration [length]
 
+  std::vector<Index> dense;  ///< id - id.front() to index, -1 in gaps; empty unless index() found it worth it
+
   std::size_t count() const { return id.size(); }
   Index find(Id wanted) const;  ///< -1 when there is no such node
+  void index();                 ///< prepares find() for speed; call after `id` has changed
 };
 
 /// Solid elements of one shape.

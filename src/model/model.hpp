@@ -26,6 +26,7 @@ struct Model {
   std::string title;
   Mesh mesh;
   std::vector<Part> parts;
+  std::vector<MaterialCard> materials;  ///< every *MAT_ and *EOS_ of the deck, in reading order
   std::vector<Curve> curves;
   std::vector<Table> tables;
   std::vector<Set<Index>> node_sets, part_sets;

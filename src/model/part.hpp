@@ -27,6 +27,18 @@ struct Section {
   double number(std::string_view name, double fallback) const;
 };
 
+/// A *MAT_, *EOS_ or *MAT_ADD_ card as it was read: the fields that were given, so that it can be written
+/// back.
+struct MaterialCard {
+  struct Value {
+    std::string name, text;  ///< empty text: the number counts
+    double number = 0.0;
+  };
+  Id id = 0;
+  std::string keyword, title;
+  std::vector<Value> values;
+};
+
 struct Part {
   Id id = 0;
   std::string title;

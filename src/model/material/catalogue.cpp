@@ -23,13 +23,13 @@ const LawEntry* find_law(std::string_view keyword) {
 
 const Curve* LawContext::curve(Id id) const {
   for (const Curve& c : curves)
-    if (c.id == id) return &c;
+    if (c.id == id + function_offset) return &c;
   return nullptr;
 }
 
 const Table* LawContext::table(Id id) const {
   for (const Table& t : tables)
-    if (t.id == id) return &t;
+    if (t.id == id + function_offset) return &t;
   return nullptr;
 }
 

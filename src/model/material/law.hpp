@@ -75,8 +75,9 @@ struct LawContext {
   const std::vector<Table>& tables;
   const PressureLaw* pressure = nullptr;  ///< equation of state of the part, null for none
   deck::Diagnostics& diagnostics;
+  Id function_offset = 0;  ///< of the included file the card stands in (*INCLUDE_TRANSFORM IDFOFF)
 
-  const Curve* curve(Id id) const;  ///< null when absent
+  const Curve* curve(Id id) const;  ///< by the number on the card; null when absent
   const Table* table(Id id) const;
 };
 

@@ -1,0 +1,100 @@
+#include "model/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "model/material/law.hpp"
+#include "model/solid_geometry.hpp"
+
+namespace cleave::model {
+namespace {
+
+/// Density and Young's modulus of steel in the consistent unit systems.
+struct UnitSystem {
+  std::string_view name;
+  double density, modulus;
+};
+constexpr UnitSystem systems[] = {
+    {"kg m s", 7.83e3, 2.07e11},        {"kg mm ms", 7.83e-6, 2.07e2}, {"g mm ms", 7.83e-3, 2.07e5},
+    {"tonne mm s", 7.83e-9, 2.07e5},    {"g cm us", 7.83, 2.07},       {"g cm s", 7.83, 2.07e12},
+    {"lbf-s2/in in s", 7.33e-4, 3.0e7}, {"slug ft s", 15.2, 4.32e9},
+};
+
+}  // namespace
+
+std::string guess_units(double density, double modulus) {
+  // Metals are 0.2 to 2.5 times as dense as steel and 0.15 to 2 times as stiff.
+  std::string_view found;
+  for (const UnitSystem& s : systems) {
+    const double d = density / s.density, m = modulus / s.modulus;
+    if (d < 0.2 || d > 2.5 || m < 0.15 || m > 2.0) continue;
+    if (!found.empty()) return {};
+    found = s.name;
+  }
+  return std::string(found);
+}
+
+ModelReport report(const Model& model) {
+  ModelReport r;
+  r.nodes = model.mesh.nodes.count();
+  const auto& p = model.mesh.nodes.position;
+  for (int i = 0; i < 3 && r.nodes > 0; ++i) r.low[i] = r.high[i] = p[i];
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    r.low[i % 3] = std::min(r.low[i % 3], p[i]);
+    r.high[i % 3] = std::max(r.high[i % 3], p[i]);
+  }
+
+  for (const Part& part : model.parts) {
+    PartReport line;
+    line.id = part.id;
+    line.title = part.title;
+    if (part.law && part.density > 0.0) {
+      const double shear = part.law->shear_modulus(), bulk = part.law->bulk_modulus();
+      line.sound_speed = std::sqrt(part.law->longitudinal_modulus() / part.density);
+      line.units = guess_units(part.density, 9.0 * bulk * shear / (3.0 * bulk + shear));
+    }
+    r.parts.push_back(line);
+  }
+
+  std::array<Corner, 10> x;
+  for (const Elements& group : model.mesh.solids) {
+    const int n = nodes_of(group.shape);
+    for (std::size_t e = 0; e < group.count(); ++e) {
+      for (int a = 0; a < n; ++a) {
+        const double* at = p.data() + 3 * static_cast<std::size_t>(group.node[e * n + a]);
+        x[a] = {at[0], at[1], at[2]};
+      }
+      const std::span<const Corner> corner(x.data(), n);
+      PartReport& part = r.parts[group.part[e]];
+      const double v = volume(group.shape, corner);
+      ++part.elements;
+      part.volume += v;
+      part.mass += v * model.parts[group.part[e]].density;
+      const double jacobian = jacobian_ratio(group.shape, corner), aspect = aspect_ratio(group.shape, corner);
+      if (part.worst_jacobian_element == 0 || jacobian < part.worst_jacobian)
+        part.worst_jacobian = jacobian, part.worst_jacobian_element = group.id[e];
+      if (part.worst_aspect_element == 0 || aspect > part.worst_aspect)
+        part.worst_aspect = aspect, part.worst_aspect_element = group.id[e];
+      if (part.sound_speed > 0.0 && v > 0.0) {
+        const double step = shortest_edge(group.shape, corner) / part.sound_speed;
+        if (r.least_time_step_element == 0 || step < r.least_time_step)
+          r.least_time_step = step, r.least_time_step_element = group.id[e];
+      }
+    }
+  }
+
+  std::set<std::string> units;
+  for (const PartReport& part : r.parts) {
+    r.elements += part.elements;
+    r.volume += part.volume;
+    r.mass += part.mass;
+    if (!part.units.empty()) units.insert(part.units);
+  }
+  for (const PointMass& m : model.point_masses) r.mass += m.mass;
+  if (units.size() == 1) r.units = *units.begin();
+  return r;
+}
+
+}  // namespace cleave::model
