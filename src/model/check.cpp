@@ -1,0 +1,133 @@
+#include "model/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "model/material/law.hpp"
+#include "model/report.hpp"
+#include "model/solid_geometry.hpp"
+
+namespace cleave::model {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// "12, 15, 19 and 4 more".
+std::string list(const std::vector<Id>& ids) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
+    text += (i ? ", " : "") + std::to_string(ids[i]);
+  return ids.size() > 5 ? text + " and " + std::to_string(ids.size() - 5) + " more" : text;
+}
+
+void check_elements(const Model& model, deck::Diagnostics& diagnostics) {
+  std::vector<Id> bad;
+  std::vector<std::size_t> count(model.parts.size(), 0);
+  std::array<Corner, 10> x;
+  for (const Elements& group : model.mesh.solids) {
+    const int n = nodes_of(group.shape);
+    for (std::size_t e = 0; e < group.count(); ++e) {
+      ++count[group.part[e]];
+      for (int a = 0; a < n; ++a) {
+        const double* p =
+            model.mesh.nodes.position.data() + 3 * static_cast<std::size_t>(group.node[e * n + a]);
+        x[a] = {p[0], p[1], p[2]};
+      }
+      if (!(centre_volume(group.shape, {x.data(), static_cast<std::size_t>(n)}) > 0.0))
+        bad.push_back(group.id[e]);
+    }
+  }
+  if (!bad.empty())
+    diagnostics.error({}, "ELEMENT_SOLID", "", "elements with volume 0 or less: " + list(bad),
+                      "number the nodes of the bottom face counter-clockwise seen from the top face");
+  for (std::size_t i = 0; i < count.size(); ++i)
+    if (count[i] == 0)
+      diagnostics.warning(model.parts[i].place, "PART", "PID",
+                          "part " + std::to_string(model.parts[i].id) + " has no elements");
+}
+
+void check_nodes(const Model& model, deck::Diagnostics& diagnostics) {
+  std::vector<char> massive(model.mesh.nodes.count(), 0);
+  for (const Elements& group : model.mesh.solids)
+    for (const Index i : group.node) massive[i] = 1;
+  std::vector<Id> alone;
+  for (std::size_t i = 0; i < massive.size(); ++i)
+    if (!massive[i]) alone.push_back(model.mesh.nodes.id[i]);
+  for (const PointMass& m : model.point_masses)
+    if (m.mass > 0.0) massive[m.node] = 1;
+
+  std::vector<Id> loaded;
+  const auto look = [&](Index i) {
+    if (!massive[i]) loaded.push_back(model.mesh.nodes.id[i]);
+  };
+  for (const NodeLoad& load : model.node_loads) std::for_each(load.nodes.begin(), load.nodes.end(), look);
+  for (const SegmentLoad& load : model.segment_loads)
+    for (const Segment& s : load.segments) std::for_each(s.node, s.node + 4, look);
+  std::sort(loaded.begin(), loaded.end());
+  loaded.erase(std::unique(loaded.begin(), loaded.end()), loaded.end());
+  if (!loaded.empty())
+    diagnostics.error({}, "LOAD_NODE", "", "loaded nodes without mass: " + list(loaded),
+                      "connect them to an element, or add an *ELEMENT_MASS");
+  if (!alone.empty())
+    diagnostics.warning({}, "NODE", "",
+                        std::to_string(alone.size()) + " nodes belong to no element: " + list(alone));
+}
+
+void check_curves(const Model& model, deck::Diagnostics& diagnostics) {
+  std::set<Index> used;
+  for (const auto& m : model.motions)
+    if (m.death >= model.control.end.time) used.insert(m.curve);
+  for (const auto& l : model.node_loads) used.insert(l.curve);
+  for (const auto& l : model.segment_loads) used.insert(l.curve);
+  for (const auto& l : model.body_loads) used.insert(l.curve);
+  for (const Index i : used) {
+    if (i < 0) continue;
+    const Curve& c = model.curves[i];
+    if (c.x.back() < model.control.end.time)
+      diagnostics.warning({}, "DEFINE_CURVE", "",
+                          "curve " + std::to_string(c.id) + " ends at " + number(c.x.back()) +
+                              ", before the run does at " + number(model.control.end.time),
+                          "loads are zero after the last point of their curve");
+  }
+}
+
+void check_materials(const Model& model, deck::Diagnostics& diagnostics) {
+  std::set<std::string> systems;
+  for (const Part& part : model.parts) {
+    if (!part.law) continue;
+    if (!(part.density > 0.0))
+      diagnostics.error(part.place, part.material_keyword, "RO",
+                        "the density of part " + std::to_string(part.id) + " must be above 0");
+    if (!(part.law->longitudinal_modulus() > 0.0))
+      diagnostics.error(part.place, part.material_keyword, "",
+                        "the stiffness of part " + std::to_string(part.id) + " must be above 0");
+    const double shear = part.law->shear_modulus(), bulk = part.law->bulk_modulus();
+    const auto units = guess_units(part.density, 9.0 * bulk * shear / (3.0 * bulk + shear));
+    if (!units.empty()) systems.insert(units);
+  }
+  if (systems.size() > 1) {
+    std::string text;
+    for (const auto& s : systems) text += (text.empty() ? "" : "; ") + s;
+    diagnostics.warning({}, "", "", "by density and stiffness the parts are in different units: " + text,
+                        "use one consistent set: force = mass length / time^2");
+  }
+}
+
+}  // namespace
+
+void check(const Model& model, deck::Diagnostics& diagnostics) {
+  if (!(model.control.end.time > 0.0))
+    diagnostics.error({}, "CONTROL_TERMINATION", "ENDTIM", "the deck gives no end time",
+                      "add *CONTROL_TERMINATION");
+  check_elements(model, diagnostics);
+  check_nodes(model, diagnostics);
+  check_curves(model, diagnostics);
+  check_materials(model, diagnostics);
+}
+
+}  // namespace cleave::model

@@ -1,0 +1,119 @@
+/// *BOUNDARY_PRESCRIBED_MOTION_NODE and _SET: translations along a global axis or a vector.
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "model/keyword/handler.hpp"
+
+namespace cleave::model {
+namespace {
+
+bool same(const Vector& a, const Vector& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+void take_motion(Draft& draft, const Entry& entry) {
+  PrescribedMotion motion;
+  motion.id = entry.own_id();
+  motion.title = entry.title();
+  const bool by_set = entry.keyword() == "BOUNDARY_PRESCRIBED_MOTION_SET";
+  if (by_set) {
+    const auto* set = draft.node_set(entry, "NSID");
+    if (!set) return;
+    motion.nodes = *set;
+  } else {
+    const Index node = draft.node(entry, "NID");
+    if (node < 0) return;
+    motion.nodes = {node};
+  }
+
+  const auto dof = entry.integer("DOF");
+  switch (std::abs(dof)) {
+    case 1:
+      motion.direction = {1, 0, 0};
+      break;
+    case 2:
+      motion.direction = {0, 1, 0};
+      break;
+    case 3:
+      motion.direction = {0, 0, 1};
+      break;
+    case 4: {
+      const Id vid = entry.id(IdKind::definition, "VID");
+      const auto at = draft.vectors.find(vid);
+      if (at == draft.vectors.end())
+        return draft.error(entry, "VID", "vector " + std::to_string(vid) + " is not defined",
+                           "add a *DEFINE_VECTOR");
+      motion.direction = at->second;
+      motion.only_direction = dof > 0;
+      break;
+    }
+    case 5:
+    case 6:
+    case 7:
+    case 8:
+      return draft.refuse(entry, "DOF",
+                          "a rotation (DOF " + std::to_string(dof) + "): nodes of solids have none",
+                          "prescribe the translations that the rotation makes");
+    case 9:
+    case 10:
+    case 11:
+    case 12:
+      return draft.refuse(entry, "DOF",
+                          "motion about an axis or along segment normals (DOF " + std::to_string(dof) + ")",
+                          "prescribe translations (DOF 1, 2, 3 or 4)");
+    default:
+      return draft.error(
+          entry, "DOF", "found " + std::to_string(dof) + ", expected 1, 2, 3 (x, y, z) or 4, -4 (along VID)");
+  }
+  if (dof < 0 && dof != -4)
+    return draft.error(entry, "DOF", "found " + std::to_string(dof) + ", expected 1, 2 or 3",
+                       "only 4 may be negative here");
+
+  switch (entry.integer("VAD")) {
+    case 0:
+      motion.kind = PrescribedMotion::Kind::velocity;
+      break;
+    case 1:
+      motion.kind = PrescribedMotion::Kind::acceleration;
+      break;
+    case 2:
+      motion.kind = PrescribedMotion::Kind::displacement;
+      break;
+    default:
+      return draft.refuse(entry, "VAD", "motion of kind " + std::to_string(entry.integer("VAD")),
+                          "give velocity (0), acceleration (1) or displacement (2) over time");
+  }
+  motion.curve = draft.curve(entry, "LCID");
+  if (motion.curve < 0) return;
+  motion.scale = entry.real_or("SF", pure, 1.0);
+  motion.birth = entry.real("BIRTH", a_time);
+  motion.death = entry.real("DEATH", a_time);
+  if (motion.death == 0.0 || entry.card().real("DEATH") >= 1e20) motion.death = forever;
+
+  // Rows that differ only in their node are one motion.
+  auto& all = draft.model.motions;
+  if (!by_set && !draft.first_of_block && motion.id == 0 && motion.title.empty() && !all.empty()) {
+    PrescribedMotion& last = all.back();
+    if (last.id == 0 && last.title.empty() && last.kind == motion.kind &&
+        same(last.direction, motion.direction) && last.only_direction == motion.only_direction &&
+        last.curve == motion.curve && last.scale == motion.scale && last.birth == motion.birth &&
+        last.death == motion.death) {
+      last.nodes.push_back(motion.nodes[0]);
+      return;
+    }
+  }
+  all.push_back(std::move(motion));
+}
+
+constexpr std::string_view fields = "ID HEADING NID NSID DOF VAD LCID SF VID DEATH BIRTH";
+constexpr Handler handlers[] = {
+    {.keyword = "BOUNDARY_PRESCRIBED_MOTION_NODE", .honoured = fields, .take = take_motion},
+    {.keyword = "BOUNDARY_PRESCRIBED_MOTION", .honoured = fields, .take = take_motion},
+    {.keyword = "BOUNDARY_PRESCRIBED_MOTION_SET", .honoured = fields, .take = take_motion},
+};
+
+}  // namespace
+extern const Family motion_cards{handlers};
+
+}  // namespace cleave::model

@@ -1,0 +1,118 @@
+/// *PART, *SECTION_SOLID and its family, *HOURGLASS.
+
+#include "deck/layout.hpp"
+#include "model/keyword/handler.hpp"
+
+namespace cleave::model {
+namespace {
+
+void take_section(Draft& draft, const Entry& entry) {
+  Section section;
+  section.id = entry.id(IdKind::other, "SECID");
+  if (!draft.claim(entry, "section", section.id, "SECID")) return;
+  section.title = entry.title();
+  section.family = entry.keyword().substr(std::string_view("SECTION_").size());
+  section.place = entry.place();
+  const std::int64_t form = entry.has("ELFORM") ? entry.integer("ELFORM") : 0;
+  section.form = static_cast<int>(form == 0 ? 1 : form);
+
+  // Further numbers by name; what they mean is up to the formulation.
+  for (const std::string& name : entry.card().given_fields()) {
+    if (name == "SECID" || name == "ELFORM" || name == "TITLE") continue;
+    bool numeric = false;
+    for (const auto& field : deck::fields_of(entry.keyword()))
+      numeric |= field.name == name && field.type != 'A';
+    if (numeric) section.numbers.emplace_back(name, entry.card().real(name));
+  }
+  if (changes_units(entry.transform()) && !section.numbers.empty())
+    draft.refuse(entry, "", "section values inside a file with unit factors",
+                 "move the section to a file without factors, in the units of the model");
+  draft.sections.emplace(section.id, std::move(section));
+}
+
+/// IHQ, QM, Q1 or Q2 blank or 0 take the value of the *CONTROL_ cards, filled in when the part is finished.
+void take_hourglass(Draft& draft, const Entry& entry) {
+  const Id id = entry.id(IdKind::other, "HGID");
+  if (!draft.claim(entry, "hourglass card", id, "HGID")) return;
+  Hourglass h;
+  h.type = static_cast<int>(entry.integer("IHQ"));
+  if (h.type < 0 || h.type > 6) {
+    draft.refuse(entry, "IHQ", "hourglass type " + std::to_string(h.type), "types 1 to 6 are computed");
+    h.type = 0;
+  }
+  // Blank fields must not bring in the defaults of the card table: the control cards come first.
+  const auto own = [&](std::string_view field) { return entry.given(field) ? entry.real(field, pure) : 0.0; };
+  h.coefficient = own("QM");
+  h.quadratic_bulk = own("Q1");
+  h.linear_bulk = own("Q2");
+  draft.hourglasses.emplace(id, h);
+}
+
+void take_part(Draft& draft, const Entry& entry) {
+  Part part;
+  part.id = entry.id(IdKind::part, "PID");
+  if (part.id <= 0) return draft.error(entry, "PID", "a part number must be 1 or more");
+  if (!draft.claim(entry, "part", part.id, "PID")) return;
+  part.title = entry.title();
+  part.place = entry.place();
+  part.material_id = entry.id(IdKind::material, "MID");
+  part.state_id = entry.id(IdKind::material, "EOSID");
+
+  const Id section = entry.id(IdKind::other, "SECID");
+  if (const auto at = draft.sections.find(section); at != draft.sections.end())
+    part.section = at->second;
+  else
+    draft.error(entry, "SECID",
+                "part " + std::to_string(part.id) + " needs section " + std::to_string(section) +
+                    ", which is not defined",
+                "add a *SECTION_SOLID with this number");
+
+  part.hourglass = {.type = 0, .coefficient = 0.0, .quadratic_bulk = 0.0, .linear_bulk = 0.0};
+  if (const Id id = entry.id(IdKind::other, "HGID"); id != 0) {
+    if (const auto at = draft.hourglasses.find(id); at != draft.hourglasses.end())
+      part.hourglass = at->second;
+    else
+      draft.error(entry, "HGID", "hourglass card " + std::to_string(id) + " is not defined",
+                  "add an *HOURGLASS");
+  }
+  draft.part_entries.emplace_back(entry);
+  draft.model.parts.push_back(std::move(part));
+}
+
+constexpr Handler handlers[] = {
+    {.keyword = "SECTION_SOLID",
+     .phase = Phase::definition,
+     .honoured = "TITLE SECID ELFORM",
+     .harmless = "COHOFF GASKETT AET",
+     .take = take_section},
+    {.keyword = "SECTION_*", .phase = Phase::definition, .honoured = "*", .take = take_section},
+    {.keyword = "HOURGLASS",
+     .phase = Phase::definition,
+     .honoured = "TITLE HGID IHQ QM Q1 Q2",
+     .harmless = "IBQ QB/VDC QW",
+     .take = take_hourglass,
+     .remark = "QB, QW and IBQ act on shells only"},
+    {.keyword = "PART",
+     .phase = Phase::part,
+     .honoured = "HEADING PID SECID MID EOSID HGID",
+     .harmless = "TMID",
+     .take = take_part},
+};
+
+}  // namespace
+
+/// Fills what the parts left to the control cards.
+void finish_parts(Draft& draft) {
+  const Control& control = draft.model.control;
+  for (Part& part : draft.model.parts) {
+    Hourglass& h = part.hourglass;
+    if (h.type == 0) h.type = control.hourglass.type;
+    if (h.coefficient == 0.0) h.coefficient = control.hourglass.coefficient;
+    if (h.quadratic_bulk == 0.0) h.quadratic_bulk = control.viscosity.quadratic;
+    if (h.linear_bulk == 0.0) h.linear_bulk = control.viscosity.linear;
+  }
+}
+
+extern const Family part_cards{handlers};
+
+}  // namespace cleave::model

@@ -1,0 +1,196 @@
+/// Constraints, motions, loads, walls, damping, masses, initial velocities.
+
+#include <algorithm>
+
+#include "model/write/references.hpp"
+
+namespace cleave::model {
+namespace {
+
+class ActionWriter {
+ public:
+  ActionWriter(const Model& model, DeckText& out) : model_(model), out_(out), references_(out) {}
+
+  void fixed(const FixedNodes& f) {
+    const Id cid = f.local ? references_.frame(f.frame) : 0;
+    const bool timed = f.birth != 0.0 || f.death < forever, named = f.id != 0 || !f.title.empty();
+    const auto* set = f.nodes.size() == 1 ? nullptr : set_of(model_.node_sets, f.nodes);
+    const std::string name = std::string("BOUNDARY_SPC_") + (set ? "SET" : "NODE") +
+                             (timed ? "_BIRTH_DEATH" : "") + (named ? "_ID" : "");
+    const auto bit = [&](unsigned k) { return static_cast<int>(f.directions >> k & 1u); };
+    const auto row = [&](Id id) {
+      if (named) out_.id_line(f.id, f.title);
+      out_.line({id, cid, bit(0), bit(1), bit(2), bit(3), bit(4), bit(5)});
+      if (timed) out_.line({f.birth, f.death});
+    };
+    out_.keyword(name);
+    if (set) return row(set->id);
+    for (const Index i : f.nodes) row(node(i));
+  }
+
+  void motion(const PrescribedMotion& m) {
+    int dof = m.only_direction ? axis_of(m.direction) : 0;
+    const Id vid = dof == 0 ? references_.vector(m.direction) : 0;
+    if (dof == 0) dof = m.only_direction ? 4 : -4;
+    const int vad = m.kind == PrescribedMotion::Kind::velocity       ? 0
+                    : m.kind == PrescribedMotion::Kind::acceleration ? 1
+                                                                     : 2;
+    const bool named = m.id != 0 || !m.title.empty();
+    const auto* set = m.nodes.size() == 1 ? nullptr : set_of(model_.node_sets, m.nodes);
+    const auto row = [&](Id id) {
+      if (named) out_.id_line(m.id, m.title);
+      out_.line({id, dof, vad, curve(m.curve), m.scale, vid, m.death, m.birth});
+    };
+    out_.keyword(std::string("BOUNDARY_PRESCRIBED_MOTION_") + (set ? "SET" : "NODE") + (named ? "_ID" : ""));
+    if (set) return row(set->id);
+    for (const Index i : m.nodes) row(node(i));
+  }
+
+  void load(const NodeLoad& l) {
+    int dof = l.follower ? 4 : axis_of(l.direction);
+    const Id cid = dof == 0 ? references_.frame_along(l.direction) : 0;
+    if (dof == 0) dof = 1;
+    const auto* set = l.nodes.size() == 1 ? nullptr : set_of(model_.node_sets, l.nodes);
+    const auto row = [&](Id id) {
+      const auto follow = [&](int k) { return l.follow[k] < 0 ? Id(0) : node(l.follow[k]); };
+      out_.line({id, dof, curve(l.curve), l.scale, cid, follow(0), follow(1), follow(2)});
+    };
+    out_.keyword(set ? "LOAD_NODE_SET" : "LOAD_NODE_POINT");
+    if (set) return row(set->id);
+    for (const Index i : l.nodes) row(node(i));
+  }
+
+  void pressure(const SegmentLoad& l) {
+    if (const auto* set = set_of(model_.segment_sets, l.segments)) {
+      out_.keyword("LOAD_SEGMENT_SET");
+      return out_.line({set->id, curve(l.curve), l.scale, l.arrival});
+    }
+    out_.keyword("LOAD_SEGMENT");
+    for (const Segment& s : l.segments)
+      out_.line({curve(l.curve), l.scale, l.arrival, node(s.node[0]), node(s.node[1]), node(s.node[2]),
+                 node(s.node[3])});
+  }
+
+  void body(const BodyLoad& l) {
+    const int axis = axis_of(l.direction);
+    static constexpr std::string_view names[] = {"", "X", "Y", "Z"};
+    if (!l.rotation && axis == 0) {
+      out_.keyword("LOAD_BODY_VECTOR");
+      out_.line({curve(l.curve), l.scale});
+      return out_.line({l.direction.x, l.direction.y, l.direction.z});
+    }
+    const Id cid = axis == 0 ? references_.frame_along(l.direction) : 0;
+    out_.keyword(std::string("LOAD_BODY_") + (l.rotation ? "R" : "") +
+                 std::string(names[axis == 0 ? 1 : axis]));
+    out_.line({curve(l.curve), l.scale, 0, l.centre.x, l.centre.y, l.centre.z, cid});
+  }
+
+  /// The part set whose nodes the body loads are limited to.
+  void body_parts() {
+    for (const BodyLoad& l : model_.body_loads) {
+      if (l.nodes.empty()) continue;
+      for (const auto& set : model_.part_sets) {
+        std::vector<bool> flags(l.nodes.size(), false);
+        for (const Elements& group : model_.mesh.solids) {
+          const int n = nodes_of(group.shape);
+          for (std::size_t e = 0; e < group.count(); ++e)
+            if (std::find(set.members.begin(), set.members.end(), group.part[e]) != set.members.end())
+              for (int a = 0; a < n; ++a) flags[group.node[e * n + a]] = true;
+        }
+        if (flags != l.nodes) continue;
+        out_.keyword("LOAD_BODY_PARTS");
+        return out_.line({set.id, ""});
+      }
+    }
+  }
+
+  void wall(const RigidWall& w) {
+    const bool named = w.id != 0 || !w.title.empty();
+    const bool all = w.nodes.size() == model_.mesh.nodes.count();
+    out_.keyword(std::string("RIGIDWALL_PLANAR") + (w.finite ? "_FINITE" : "") +
+                 (w.mass > 0.0 ? "_MOVING" : "") + (w.soft_cycles > 0 ? "_FORCES" : "") +
+                 (named ? "_ID" : ""));
+    if (named) out_.id_line(w.id, w.title);
+    const auto* set = all ? nullptr : set_of(model_.node_sets, w.nodes);
+    const Vector head = w.origin + w.normal, edge = w.origin + w.edge_l;
+    out_.line({set ? set->id : 0, 0, 0, 0.0, w.birth, w.death});
+    out_.line({w.origin.x, w.origin.y, w.origin.z, head.x, head.y, head.z, w.friction});
+    if (w.finite) out_.line({edge.x, edge.y, edge.z, w.length_l, w.length_m});
+    if (w.mass > 0.0) out_.line({w.mass, w.speed});
+    if (w.soft_cycles > 0) out_.line({w.soft_cycles, 0});
+  }
+
+  void damping() {
+    for (const GlobalDamping& d : model_.global_damping) {
+      out_.keyword("DAMPING_GLOBAL");
+      out_.line({curve(d.curve), d.value, d.factor[0], d.factor[1], d.factor[2]});
+    }
+    for (const Part& p : model_.parts) {
+      if (p.mass_damping_curve >= 0) {
+        out_.keyword("DAMPING_PART_MASS");
+        out_.line({p.id, curve(p.mass_damping_curve), p.mass_damping, 1});
+        out_.line({p.mass_damping_factor[0], p.mass_damping_factor[1], p.mass_damping_factor[2]});
+      }
+      if (p.stiffness_damping != 0.0) {
+        out_.keyword("DAMPING_PART_STIFFNESS");
+        out_.line({p.id, p.stiffness_damping});
+      }
+    }
+  }
+
+  void masses() {
+    if (model_.point_masses.empty()) return;
+    out_.keyword("ELEMENT_MASS");
+    for (const PointMass& m : model_.point_masses) out_.line({m.id, node(m.node), m.mass});
+  }
+
+  void velocities() {
+    const auto& v = model_.initial_velocity;
+    if (std::all_of(v.begin(), v.end(), [](double c) { return c == 0.0; })) return;
+    bool uniform = true;
+    for (std::size_t i = 3; i < v.size() && uniform; ++i) uniform = v[i] == v[i - 3];
+    if (uniform) {
+      out_.keyword("INITIAL_VELOCITY");
+      out_.line({0, 0});
+      return out_.line({v[0], v[1], v[2]});
+    }
+    out_.keyword("INITIAL_VELOCITY_NODE");
+    for (std::size_t i = 0; i < v.size(); i += 3)
+      if (v[i] != 0.0 || v[i + 1] != 0.0 || v[i + 2] != 0.0)
+        out_.line({node(static_cast<Index>(i / 3)), v[i], v[i + 1], v[i + 2]});
+  }
+
+  void absorbing(const AbsorbingFaces& a) {
+    const auto* set = set_of(model_.segment_sets, a.segments);
+    if (!set) return;
+    out_.keyword("BOUNDARY_NON_REFLECTING");
+    out_.line({set->id, a.dilatational ? 0.0 : 1.0, a.shear ? 0.0 : 1.0});
+  }
+
+ private:
+  Id node(Index i) const { return model_.mesh.nodes.id[i]; }
+  Id curve(Index i) const { return curve_id(model_, i); }
+
+  const Model& model_;
+  DeckText& out_;
+  References references_;
+};
+
+}  // namespace
+
+void write_actions(const Model& model, DeckText& out) {
+  ActionWriter write(model, out);
+  for (const auto& f : model.fixed) write.fixed(f);
+  for (const auto& m : model.motions) write.motion(m);
+  for (const auto& l : model.node_loads) write.load(l);
+  for (const auto& l : model.segment_loads) write.pressure(l);
+  for (const auto& l : model.body_loads) write.body(l);
+  write.body_parts();
+  for (const auto& w : model.walls) write.wall(w);
+  for (const auto& a : model.absorbing) write.absorbing(a);
+  write.damping();
+  write.masses();
+  write.velocities();
+}
+
+}  // namespace cleave::model

@@ -1,0 +1,45 @@
+#pragma once
+/// How the written deck names things the model holds resolved: sets, axes, vectors.
+
+#include "model/keyword/affine.hpp"
+#include "model/model.hpp"
+#include "model/write/deck_text.hpp"
+
+namespace cleave::model {
+
+/// A set with exactly these members, null when there is none.
+const Set<Index>* set_of(const std::vector<Set<Index>>& sets, const std::vector<Index>& members);
+const Set<Segment>* set_of(const std::vector<Set<Segment>>& sets, const std::vector<Segment>& members);
+
+/// Gives a node set of its own to every list of nodes that a deck can name only by a set: nodes of rigid
+/// walls (unless all nodes) and constraints with a number. Part of building a model, so that writing adds
+/// nothing to it.
+void name_node_lists(Model& model);
+
+/// 1, 2, 3 for the global axes, 0 for any other direction.
+int axis_of(const Vector& direction);
+
+/// Hands out numbers for coordinate systems and vectors and writes their definitions.
+class References {
+ public:
+  explicit References(DeckText& out) : out_(out) {}
+  Id frame(const Frame& frame);
+  /// A frame whose x axis is the direction.
+  Id frame_along(const Vector& direction);
+  Id vector(const Vector& direction);
+
+ private:
+  DeckText& out_;
+  Id frames_ = 0, vectors_ = 0;
+};
+
+inline Id curve_id(const Model& model, Index curve) {
+  return curve < 0 ? 0 : model.curves[curve].id;
+}
+
+void write_definitions(const Model& model, DeckText& out);
+void write_mesh(const Model& model, DeckText& out);
+void write_actions(const Model& model, DeckText& out);
+void write_requests(const Model& model, DeckText& out);
+
+}  // namespace cleave::model
