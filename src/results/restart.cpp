@@ -281,8 +281,11 @@ std::string write_file(const std::filesystem::path& path, const State& state, co
   return out.error();
 }
 
-/// HDF5 prints its error stacks unless told not to; the text goes into our own messages instead.
-void quiet_hdf5() {
+/// HDF5 prints its error stacks unless told not to (the text goes into our own messages instead), and its
+/// cleanup at exit aborts when a file could not be closed because the disk is full; we close what we open.
+void tame_hdf5() {
+  static const herr_t once = H5dont_atexit();
+  (void)once;
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -303,7 +306,7 @@ std::string fingerprint(const deck::Sources& sources) {
 std::string write_restart(const std::filesystem::path& path, const State& state, const RestartOrigin& origin,
                           std::span<const discretisation::Memory> observers) {
   const Memories memories = all_memory(state, observers);
-  quiet_hdf5();
+  tame_hdf5();
   std::filesystem::path unfinished = path;
   unfinished += unfinished_suffix;
   std::string reason = room_for(unfinished, size_of(state, memories));
@@ -320,7 +323,7 @@ std::string write_restart(const std::filesystem::path& path, const State& state,
 }
 
 Restart read_restart(const std::filesystem::path& path) {
-  quiet_hdf5();
+  tame_hdf5();
   Restart restart;
   const std::string start = "cannot restart from " + path.string() + ": ";
   if (!std::filesystem::exists(path)) {
