@@ -226,7 +226,7 @@ std::string write_picture(const PictureModel& model, const PictureOptions& optio
     const int width = static_cast<int>(places[v].width), height = static_cast<int>(places[v].height);
     const Camera camera(views[v], points, width, height);
     paper.image(draw(drawing, camera, width, height), std::floor(places[v].x), std::floor(places[v].y));
-    const double axis = 2.6 * unit;
+    const double axis = std::min(2.6 * unit, 0.1 * std::min(width, height));
     draw_axes(paper, camera, places[v].x + 1.3 * axis, places[v].y + places[v].height - 1.3 * axis, axis);
   }
   const double bar_height = std::min(0.72 * area.height, 36.0 * unit);

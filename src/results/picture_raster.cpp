@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace cleave::results {
 namespace {
@@ -88,7 +89,9 @@ void fill(Canvas& canvas, const Drawing& drawing, std::uint32_t face, const std:
     const Corner &a = *corner[(s + 1) % 3], &b = *corner[(s + 2) % 3];
     step_x[s] = -(b.y - a.y);
     step_y[s] = b.x - a.x;
-    constant[s] = -(step_x[s] * a.x + step_y[s] * a.y);
+    // From the same end for both triangles beside it, so that theirs differ in sign only and leave no gap.
+    const Corner& end = std::tie(a.x, a.y) < std::tie(b.x, b.y) ? a : b;
+    constant[s] = -(step_x[s] * end.x + step_y[s] * end.y);
     keeps_side[s] = step_x[s] > 0.0 || (step_x[s] == 0.0 && step_y[s] > 0.0);
   }
   for (int row = top; row < bottom; ++row) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -42,6 +43,37 @@ TEST(Raster, SquareCoversItsPixelsExactly) {
   EXPECT_DOUBLE_EQ(covered(raster), 60.0 * 60.0);
   EXPECT_EQ(raster.alpha[9 * 80 + 40], 0.0f);
   EXPECT_EQ(raster.alpha[10 * 80 + 40], 1.0f);
+}
+
+TEST(Raster, NeighboursLeaveNoGap) {
+  // One sheet of squares, so that a gap shows the background; sizes whose sides meet samples inexactly.
+  Scene scene(test::cubes(40, 24, 1));
+  const Surface all = scene.surface;
+  Surface sheet;
+  for (std::size_t f = 0; f < all.count(); ++f) {
+    const model::Index* n = &all.node[4 * f];
+    if (!std::all_of(n, n + 4,
+                     [&](auto k) { return scene.mesh.position[3 * static_cast<std::size_t>(k) + 2] == 1.0; }))
+      continue;
+    sheet.node.insert(sheet.node.end(), n, n + 4);
+    sheet.edges.push_back(all.edges[f]);
+    sheet.block.push_back(0);
+    sheet.element.push_back(all.element[f]);
+  }
+  ASSERT_EQ(sheet.count(), 960u);
+  scene.surface = sheet;
+  scene.normals = corner_normals(sheet, scene.mesh.position);
+  for (int width = 200; width < 260; width += 7) {
+    const int height = width * 3 / 5;
+    const View view{.eye = {0, 0, 1}, .up = {0, 1, 0}};
+    const Raster raster =
+        draw(scene.drawing(), Camera(view, scene.mesh.position, width, height, 0.06), width, height);
+    const int border = width / 8;
+    for (int row = border; row < height - border; ++row)
+      for (int column = border; column < width - border; ++column)
+        ASSERT_EQ(raster.alpha[static_cast<std::size_t>(row) * width + column], 1.0f)
+            << width << ' ' << row << ' ' << column;
+  }
 }
 
 TEST(Raster, HexagonOfTheCubeSeenAlongItsDiagonal) {
