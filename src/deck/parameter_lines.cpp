@@ -93,7 +93,7 @@ class ParameterReader {
       const char* at = value.empty() ? raw.data() : value.data();
       where = place(line.number, static_cast<int>(at - line.text.data()) + 1,
                     std::max<std::size_t>(1, value.size()));
-      rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+      rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
       return value;
     };
     while (!is_blank(rest)) {

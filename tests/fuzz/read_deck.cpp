@@ -52,6 +52,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       }
     });
   }
+  // Every message points into its line or to columns that a line may have.
+  for (const Diagnostic& d : diagnostics.all()) {
+    const std::size_t reach = 8 * deck.sources().line(d.place.file, d.place.line).size() + 400;
+    if (d.place.column < 0 || d.place.width < 0 || static_cast<std::size_t>(d.place.column) > reach)
+      __builtin_trap();
+  }
   const std::string text = diagnostics.render(deck.sources(), (sum & 1) != 0);
   return text.size() > (std::size_t{1} << 40) ? 1 : 0;
 }

@@ -115,6 +115,13 @@ TEST(Parameter, MistakesInDefinitions) {
   EXPECT_TRUE(r.says("PARAMETER_EXPRESSION z"));
 }
 
+TEST(Parameter, PlaceOfAMissingValueIsTheEndOfItsLine) {
+  Reading r("*PARAMETER\nRx, 1., Ry\n");
+  ASSERT_EQ(r.errors(), 1u);
+  EXPECT_EQ(r.diagnostics.all()[0].place.line, 2);
+  EXPECT_EQ(r.diagnostics.all()[0].place.column, 11);
+}
+
 TEST(Parameter, LongFormat) {
   Reading r(
       "*KEYWORD LONG=Y\n*PARAMETER\nRx                                   2.5Ry                               "
