@@ -8,7 +8,7 @@
 #include "base/threads.hpp"
 #include "discretisation/block.hpp"
 #include "discretisation/chunk.hpp"
-#include "discretisation/fem/gather.hpp"
+#include "discretisation/fem/force_scatter.hpp"
 #include "discretisation/fem/solid_fields.hpp"
 #include "discretisation/fem/solid_kernel.hpp"
 
@@ -85,13 +85,12 @@ class SolidBlock final : public Block {
 
   StepOutput add_force(const StepInput& input, BlockState& state, ForceSum& force) const override {
     std::vector<StepOutput> results(table_.chunks.size());
-    std::int64_t* partial =
-        base::thread_count() > 1 ? force.partial_sums(table_.shared.slot.size()) : nullptr;
+    const ForceScatter<nodes> scatter(table_, force);
     base::for_each_chunk(table_.chunks.size(), [&](std::size_t c) {
       thread_local ThreadMemory memory;
-      run_chunk(table_.chunks[c], input, state, force, partial, memory, results[c]);
+      run_chunk(table_.chunks[c], input, state, scatter, memory, results[c]);
     });
-    if (partial) add_shared(partial, force);
+    scatter.add_shared();
     return merged(std::move(results));
   }
 
@@ -192,8 +191,8 @@ class SolidBlock final : public Block {
     return {false, part_, table_.id[table_.element(batch, lane)], what, likely_cause};
   }
 
-  void run_chunk(const Chunk& chunk, const StepInput& input, BlockState& state, ForceSum& force,
-                 std::int64_t* partial, ThreadMemory& memory, StepOutput& result) const {
+  void run_chunk(const Chunk& chunk, const StepInput& input, BlockState& state,
+                 const ForceScatter<nodes>& scatter, ThreadMemory& memory, StepOutput& result) const {
     memory.nodes.load(table_, chunk, input.position, input.velocity);
     ChunkSums sums;
     alignas(64) double steps[ChunkTable::batches_per_chunk * lane_count];
@@ -208,12 +207,11 @@ class SolidBlock final : public Block {
                             input.dt, input.time));
       for (int i = 0; i < count; ++i) {
         const std::size_t b = first + static_cast<std::size_t>(i);
-        after_law(b, chunk, input, state, memory, memory.kept[i], memory.point + i * points, force,
+        after_law(b, chunk, input, state, memory, memory.kept[i], memory.point + i * points, scatter,
                   steps + (b - static_cast<std::size_t>(chunk.first_batch)) * lane_count, sums, result);
       }
     }
-    flush(chunk, memory, force, partial);
-    force.report_magnitude(sums.magnitude);
+    scatter.finish(chunk, memory.nodes, sums.magnitude);
     result.internal_energy = base::sum(sums.internal);
     result.hourglass_energy = base::sum(sums.hourglass);
     result.damping_work = base::sum(sums.damping);
@@ -274,8 +272,8 @@ class SolidBlock final : public Block {
 
   [[gnu::flatten]] void after_law(std::size_t batch, const Chunk& chunk, const StepInput& input,
                                   BlockState& state, ThreadMemory& memory, Kept<Lanes, Element>& kept,
-                                  PointScratch<Lanes>* point, ForceSum& force, double* steps, ChunkSums& sums,
-                                  StepOutput& result) const {
+                                  PointScratch<Lanes>* point, const ForceScatter<nodes>& scatter,
+                                  double* steps, ChunkSums& sums, StepOutput& result) const {
     Vec3<Lanes> f[nodes];
     ForceAnswer<Lanes> answer;
     force_pass(element_, options_, layout_, input.dt, records_of(batch, state), kept, point, f, answer);
@@ -302,7 +300,12 @@ class SolidBlock final : public Block {
     sums.internal += answer.internal;
     sums.hourglass += answer.hourglass;
     sums.damping += answer.damping;
-    add_batch(batch, chunk, active, everyone, f, memory, force, sums, result);
+    sums.magnitude |= scatter.add(batch, chunk, active, everyone, f, memory.nodes, [&](int lane) {
+      result.status.merge(
+          failure(batch, lane, "force is not a number",
+                  "the material or the velocities of its nodes broke down: look at the states "
+                  "before, and at the units of the material"));
+    });
   }
 
   [[gnu::noinline]] void erode(std::size_t batch, base::Mask gone, const ForceAnswer<Lanes>& answer,
@@ -314,99 +317,6 @@ class SolidBlock final : public Block {
       result.eroded_hourglass += answer.hourglass[lane];
       result.eroded.push_back(table_.id[table_.element(batch, lane)]);
     }
-  }
-
-  // Rounds the nodal forces of a batch and adds them to the chunk's sums. The last node balances the others,
-  // so that the integer forces of an element add up to zero and momentum is exact.
-  void add_batch(std::size_t batch, const Chunk& chunk, base::Mask active, bool everyone,
-                 const Vec3<Lanes>* f, ThreadMemory& memory, ForceSum& force, ChunkSums& sums,
-                 StepOutput& result) const {
-    Integers q[nodes][3];
-    Integers bits = {}, last[3] = {};
-    for (int a = 0; a < nodes - 1; ++a) {
-      const Lanes component[3] = {f[a].x, f[a].y, f[a].z};
-      for (int i = 0; i < 3; ++i) {
-        q[a][i] = force.quantum(component[i]);
-        if (!everyone) q[a][i] &= active.v;
-        bits |= ForceSum::magnitude_bits(q[a][i]);
-        last[i] -= q[a][i];
-      }
-    }
-    for (int i = 0; i < 3; ++i) {
-      q[nodes - 1][i] = last[i];
-      bits |= ForceSum::magnitude_bits(last[i]);
-    }
-    std::int64_t all_bits = 0;
-    for (int lane = 0; lane < lane_count; ++lane) all_bits |= bits[lane];
-    if (ForceSum::out_of_range(all_bits)) [[unlikely]]
-      all_bits = add_large(batch, chunk, bits, f, q, force, result);
-    sums.magnitude |= all_bits;
-    const std::uint16_t* local = table_.local.data() + batch * nodes * lane_count;
-    for (int a = 0; a < nodes; ++a)
-      scatter(memory.nodes.force.data(), local + a * lane_count, q[a][0], q[a][1], q[a][2]);
-  }
-
-  // Elements with a force beyond the range of the integers: one by one, through the coarser sums.
-  [[gnu::noinline]] std::int64_t add_large(std::size_t batch, const Chunk& chunk, Integers bits,
-                                           const Vec3<Lanes>* f, Integers (&q)[nodes][3], ForceSum& force,
-                                           StepOutput& result) const {
-    std::int64_t kept_bits = 0;
-    for (int lane = 0; lane < lane_count; ++lane) {
-      if (!ForceSum::out_of_range(bits[lane])) {
-        kept_bits |= bits[lane];
-        continue;
-      }
-      bool finite = true;
-      for (int a = 0; a < nodes; ++a)
-        finite = finite && std::isfinite(f[a].x[lane]) && std::isfinite(f[a].y[lane]) &&
-                 std::isfinite(f[a].z[lane]);
-      if (!finite)
-        result.status.merge(
-            failure(batch, lane, "force is not a number",
-                    "the material or the velocities of its nodes broke down: look at the states "
-                    "before, and at the units of the material"));
-      for (int a = 0; a < nodes; ++a) {
-        const double value[3] = {f[a].x[lane], f[a].y[lane], f[a].z[lane]};
-        const std::uint16_t local = table_.local[(batch * nodes + static_cast<std::size_t>(a)) * lane_count +
-                                                 static_cast<std::size_t>(lane)];
-        const Index node = table_.nodes[static_cast<std::size_t>(chunk.first_node) + local];
-        for (int i = 0; i < 3; ++i) {
-          q[a][i][lane] = 0;
-          if (finite) force.add_value(node, i, -value[i]);
-        }
-      }
-    }
-    return kept_bits;
-  }
-
-  // Sums of own nodes go to the global sum, those of shared nodes are set aside unless there is one thread.
-  void flush(const Chunk& chunk, const ThreadMemory& memory, ForceSum& force, std::int64_t* partial) const {
-    const Index* list = table_.nodes.data() + chunk.first_node;
-    const std::int64_t* f = memory.nodes.force.data();
-    const std::int32_t direct = partial ? chunk.own_count : chunk.node_count;
-    for (std::int32_t i = 0; i < direct; ++i, f += force_row) {
-      force.prefetch(list[std::min(i + 16, chunk.node_count - 1)]);
-      for (int k = 0; k < 3; ++k) force.add(list[i], k, -f[k], false);
-    }
-    if (partial)
-      std::copy(f, memory.nodes.force.data() + chunk.node_count * force_row,
-                partial + static_cast<std::ptrdiff_t>(chunk.first_slot) * force_row);
-  }
-
-  // One thread per shared node adds what the chunks set aside.
-  void add_shared(const std::int64_t* partial, ForceSum& force) const {
-    const SharedNodes& shared = table_.shared;
-    base::for_each_range(shared.node.size(), 2048, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        std::int64_t sum[3] = {0, 0, 0};
-        for (std::int32_t s = shared.first[n]; s < shared.first[n + 1]; ++s)
-          for (int k = 0; k < 3; ++k)
-            sum[k] +=
-                partial[static_cast<std::ptrdiff_t>(shared.slot[static_cast<std::size_t>(s)]) * force_row +
-                        k];
-        for (int k = 0; k < 3; ++k) force.add(shared.node[n], k, -sum[k], false);
-      }
-    });
   }
 
   // Chunk results in chunk order.
