@@ -32,7 +32,9 @@ set(CMAKE_CXX_FLAGS_DEBUG "-Og -g")            # not -O0: xsimd 8.1 does not com
 
 find_program(CLEAVE_CCACHE ccache)
 if(CLEAVE_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CLEAVE_CCACHE})
+  # Paths relative to the sources: checkouts at different places share what they compiled.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CLEAVE_CCACHE})
 endif()
 find_program(CLEAVE_MOLD mold)
 if(CLEAVE_MOLD)
