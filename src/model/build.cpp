@@ -25,10 +25,7 @@ void take_unhandled(Draft& draft, const deck::Block& block) {
   Account::Entry& entry = account_of(*draft.account, block.keyword);
   ++entry.cards;
   if (!block.known) {
-    entry.policy = Account::Policy::unknown;
-    const auto near = deck::nearest_keyword(block.written);
-    draft.diagnostics.warning(block.place, block.keyword, "", "unknown keyword; it and its lines are skipped",
-                              near.empty() ? "" : "did you mean *" + std::string(near) + "?");
+    entry.policy = Account::Policy::unknown;  // the reader has said so, with the nearest name
     return;
   }
   if (block.consumed) return;  // the reader has used it: *INCLUDE, *PARAMETER, *TITLE, ...
@@ -64,8 +61,7 @@ void take_block(Draft& draft, const deck::Block& block, const Handler& handler) 
   Account::Entry& line = account_of(*draft.account, block.keyword);
   line.remark = handler.remark;
   if (handler.stream) {
-    line.cards += draft.deck.line_count(block);
-    handler.stream(draft, block);
+    line.cards += handler.stream(draft, block);
   } else {
     take_cards(draft, block, handler);
   }
@@ -102,7 +98,8 @@ Model build(const deck::Deck& deck, const BuildOptions& options, deck::Diagnosti
   // Which handler takes which block; blocks without one are settled here, in reading order.
   std::vector<const Handler*> handler_of;
   for (const deck::Block& block : deck.blocks()) {
-    handler_of.push_back(block.known && !block.consumed ? find_handler(block.keyword) : nullptr);
+    const Handler* handler = block.known && !block.consumed ? find_handler(block.keyword) : nullptr;
+    handler_of.push_back(handler && (handler->take || handler->stream) ? handler : nullptr);
     account_of(account, block.keyword);
     if (!handler_of.back()) take_unhandled(draft, block);
   }

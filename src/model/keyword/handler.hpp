@@ -30,8 +30,8 @@ struct Handler {
   Phase phase = Phase::action;
   std::string_view honoured;       ///< field names, blank between; "*" for all
   std::string_view harmless = {};  ///< fields without influence on what is computed here: warned, not refused
-  void (*take)(Draft&, const Entry&) = nullptr;          ///< one data set
-  void (*stream)(Draft&, const deck::Block&) = nullptr;  ///< or a whole block of rows
+  void (*take)(Draft&, const Entry&) = nullptr;                 ///< one data set
+  std::size_t (*stream)(Draft&, const deck::Block&) = nullptr;  ///< or a whole block of rows
   std::string_view remark = {};
 };
 

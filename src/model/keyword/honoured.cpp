@@ -41,7 +41,9 @@ void report_unused(Draft& draft, const Entry& entry, Account::Entry& account,
     auto& ignored = account.ignored_fields;
     if (std::find(ignored.begin(), ignored.end(), name) == ignored.end()) ignored.push_back(name);
     const std::string meaning = field->meaning.empty() ? "" : " (" + std::string(field->meaning) + ")";
-    if (how == FieldUse::harmless)
+    if (how == FieldUse::harmless && entry.keyword().starts_with("DATABASE_"))
+      draft.diagnostics.note(entry.place(name), entry.keyword(), name, "not used here" + meaning);
+    else if (how == FieldUse::harmless)
       draft.warning(entry, name, "not used here" + meaning);
     else
       draft.refuse(entry, name, "not honoured" + meaning,

@@ -145,11 +145,6 @@ class LawBuilder {
 
   std::unique_ptr<Law> add(std::unique_ptr<Law> law, Id material, const LawContext& context) {
     for (const Entry& entry : draft_.additions.at(material)) {
-      if (entry.keyword() != "MAT_ADD_EROSION") {
-        account_of(*draft_.account, entry.keyword()).policy = Account::Policy::refused;
-        draft_.refuse(entry, "", "not computed, and a part uses material " + std::to_string(material));
-        continue;
-      }
       if (!law || !check_fields(draft_, *draft_.account, entry, erosion_fields())) return nullptr;
       law = add_erosion(std::move(law), entry.card(), context);
     }

@@ -9,9 +9,11 @@
 namespace cleave::model {
 namespace {
 
-void take_masses(Draft& draft, const deck::Block& block) {
+std::size_t take_masses(Draft& draft, const deck::Block& block) {
   Capped missing;
+  std::size_t count = 0;
   draft.deck.rows(block, draft.diagnostics, [&](const deck::Row& row) {
+    ++count;
     const auto& transform = draft.deck.transforms()[row.transform];
     const Id node = row.integer(1) + transform.node_offset;
     PointMass mass{.id = row.integer(0) ? row.integer(0) + transform.element_offset : 0,
@@ -27,6 +29,7 @@ void take_masses(Draft& draft, const deck::Block& block) {
       draft.diagnostics.error(row.place(2), block.keyword, "MASS", "a mass cannot be negative");
     draft.model.point_masses.push_back(mass);
   });
+  return count;
 }
 
 /// The mass goes to every node of the set.

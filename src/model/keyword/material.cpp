@@ -64,7 +64,11 @@ void take_addition(Draft& draft, const Entry& entry) {
 
 // Which fields count is for the law to say: its fields are checked when a part uses it.
 constexpr Handler handlers[] = {
-    {.keyword = "MAT_ADD_*", .phase = Phase::material, .honoured = "*", .take = take_addition},
+    {.keyword = "MAT_ADD_EROSION", .phase = Phase::material, .honoured = "*", .take = take_addition},
+    // Not laws of motion; how they are treated stands with the unhandled keywords.
+    {.keyword = "MAT_ADD_*", .honoured = ""},
+    {.keyword = "MAT_NONLOCAL", .honoured = ""},
+    {.keyword = "MAT_THERMAL_*", .honoured = ""},
     {.keyword = "MAT_*", .phase = Phase::material, .honoured = "*", .take = take_material},
     {.keyword = "EOS_*", .phase = Phase::material, .honoured = "*", .take = take_state},
 };

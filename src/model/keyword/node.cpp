@@ -9,13 +9,15 @@
 namespace cleave::model {
 namespace {
 
-void take_nodes(Draft& draft, const deck::Block& block) {
+std::size_t take_nodes(Draft& draft, const deck::Block& block) {
   Nodes& nodes = draft.model.mesh.nodes;
   nodes.id.reserve(nodes.id.size() + draft.deck.line_count(block));
   nodes.position.reserve(3 * nodes.id.capacity());
   Capped bad_id, bad_code;
+  std::size_t count = 0;
 
   draft.deck.rows(block, draft.diagnostics, [&](const deck::Row& row) {
+    ++count;
     const auto& transform = draft.deck.transforms()[row.transform];
     const Id written = row.integer(0);
     if (written <= 0) {
@@ -41,6 +43,7 @@ void take_nodes(Draft& draft, const deck::Block& block) {
       }
     }
   });
+  return count;
 }
 
 }  // namespace

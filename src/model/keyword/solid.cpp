@@ -103,9 +103,14 @@ class Collector {
   Index last_part_ = -1;
 };
 
-void take_solids(Draft& draft, const deck::Block& block) {
+std::size_t take_solids(Draft& draft, const deck::Block& block) {
   Collector collector(draft, block);
-  draft.deck.rows(block, draft.diagnostics, [&](const deck::Row& row) { collector.take(row); });
+  std::size_t count = 0;
+  draft.deck.rows(block, draft.diagnostics, [&](const deck::Row& row) {
+    collector.take(row);
+    ++count;
+  });
+  return count;
 }
 
 }  // namespace

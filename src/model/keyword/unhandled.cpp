@@ -46,6 +46,7 @@ constexpr Rule rules[] = {
     {"DEFINE_CONTACT_VOLUME", Policy::output_only, elsewhere},
     {"DEFINE_FRICTION", Policy::output_only, elsewhere},
     {"DEFINE_SD_ORIENTATION", Policy::output_only, elsewhere},
+    {"MAT_THERMAL_*", Policy::output_only, elsewhere},
     {"INTEGRATION_SHELL", Policy::output_only, elsewhere},
     {"SET_BEAM*", Policy::output_only, elsewhere},
     {"SET_DISCRETE*", Policy::output_only, elsewhere},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "deck/layout.hpp"
 #include "deck_text.hpp"
 #include "model/material/law.hpp"
 
@@ -79,6 +80,23 @@ TEST(Build, UnknownKeywordIsAWarningWithTheNearestName) {
   const Built b = build_text(cube + "*CONTROL_TERMINATOIN\n1.0\n");
   EXPECT_FALSE(b.failed()) << b.text();
   EXPECT_NE(b.text().find("CONTROL_TERMINATION?"), std::string::npos) << b.text();
+}
+
+/// Whatever stands under a known keyword, it is taken, noted or refused; never left without a word.
+TEST(Build, EveryKnownKeywordIsAccountedFor) {
+  for (const std::string_view keyword : deck::known_keywords()) {
+    if (keyword.starts_with("INCLUDE") || keyword == "END" || keyword == "CASE") continue;
+    for (const char* lines : {"", "1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n"}) {
+      const Built b = build_text(cube + "*" + std::string(keyword) + "\n" + lines);
+      const auto at = std::find_if(b.account.entries.begin(), b.account.entries.end(),
+                                   [&](const auto& entry) { return entry.keyword == keyword; });
+      if (at == b.account.entries.end()) continue;  // a synonym: accounted under its canonical name
+      EXPECT_NE(at->policy, Account::Policy::unknown) << keyword;
+      if (at->policy == Account::Policy::refused) {
+        EXPECT_TRUE(b.failed()) << keyword;
+      }
+    }
+  }
 }
 
 TEST(Build, AccountCountsCards) {
