@@ -77,6 +77,19 @@ void take_solid(Draft& draft, const Entry& entry) {
   draft.model.control.solid_sort = static_cast<int>(sort);
 }
 
+/// SOLN says which problem is solved; only 0, the mechanical one, is.
+void take_solution(Draft& draft, const Entry& entry) {
+  if (entry.integer("SOLN") != 0)
+    draft.refuse(entry, "SOLN", "thermal or coupled analysis", "only mechanical analysis (0) is computed");
+}
+
+/// A relaxation phase before the run is asked for by IDRFLG other than 0 and -999.
+void take_relaxation(Draft& draft, const Entry& entry) {
+  const auto flag = entry.integer("IDRFLG");
+  if (flag != 0 && flag != -999)
+    draft.refuse(entry, "IDRFLG", "dynamic relaxation", "use *DAMPING_GLOBAL in a run of its own");
+}
+
 constexpr Handler handlers[] = {
     {.keyword = "CONTROL_TERMINATION",
      .phase = Phase::definition,
@@ -108,6 +121,16 @@ constexpr Handler handlers[] = {
      .harmless = "OSU PIDOS IACC EXACC SRTFLG",
      .take = take_accuracy,
      .remark = "stress rates are second order in every run"},
+    {.keyword = "CONTROL_SOLUTION",
+     .phase = Phase::definition,
+     .honoured = "SOLN",
+     .harmless = "NLQ ISNAN LCINT LCACC NCDCF NOCOPY",
+     .take = take_solution},
+    {.keyword = "CONTROL_DYNAMIC_RELAXATION",
+     .phase = Phase::definition,
+     .honoured = "IDRFLG",
+     .harmless = "NRCYCK DRTOL DRFCTR DRTERM TSSFDR IRELAL EDTTL DRPSET",
+     .take = take_relaxation},
     {.keyword = "CONTROL_SOLID",
      .phase = Phase::definition,
      .honoured = "ESORT",
