@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/assert.hpp"
+#include "model/solid_shape.hpp"
 
 namespace cleave::results {
 namespace {
@@ -12,27 +13,9 @@ namespace {
 using model::Index;
 using model::Shape;
 
-/// Local corners of each face, counter-clockwise seen from outside; -1 where a face is a triangle. The mid
-/// nodes of a ten-node tetrahedron follow in `mid`, on the sides from corner k to the next.
-struct FaceTable {
-  int count;
-  std::int8_t corner[6][4];
-  std::int8_t mid[4][3];
-};
-
-constexpr FaceTable hexahedron{
-    6, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}, {}};
-constexpr FaceTable pentahedron{
-    5, {{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}, {}};
-constexpr FaceTable tetrahedron{4,
-                                {{0, 2, 1, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {2, 0, 3, -1}},
-                                {{6, 5, 4}, {4, 8, 7}, {5, 9, 8}, {6, 7, 9}}};
-
-const FaceTable& faces_of(Shape shape) {
-  if (shape == Shape::hex8) return hexahedron;
-  if (shape == Shape::penta6) return pentahedron;
-  return tetrahedron;
-}
+/// Mid nodes of a ten-node tetrahedron on the sides of its faces, from each corner of model::faces_of to the
+/// next.
+constexpr int mid_nodes[4][3] = {{6, 5, 4}, {4, 8, 7}, {5, 9, 8}, {6, 7, 9}};
 
 /// One face of one element: its distinct corners in order round the face.
 struct Face {
@@ -50,10 +33,9 @@ struct Face {
 
 Face face_of(const SolidCells& cells, std::size_t element, int face) {
   const Index* node = &cells.node[element * model::nodes_of(cells.shape)];
-  const auto& table = faces_of(cells.shape).corner[face];
   Face result;
-  for (int k = 0; k < 4 && table[k] >= 0; ++k) {
-    const Index n = node[table[k]];
+  for (const int corner : model::faces_of(cells.shape)[static_cast<std::size_t>(face)]) {
+    const Index n = node[corner];
     if (std::find(result.corner.begin(), result.corner.begin() + result.count, n) ==
         result.corner.begin() + result.count)
       result.corner[result.count++] = n;
@@ -77,9 +59,10 @@ template <class Visit>
 void for_each_face(std::span<const SolidCells> cells, const Visit& visit) {
   for (std::uint32_t b = 0; b < cells.size(); ++b) {
     const std::size_t count = cells[b].node.size() / model::nodes_of(cells[b].shape);
+    const int face_count = static_cast<int>(model::faces_of(cells[b].shape).size());
     for (std::uint32_t e = 0; e < count; ++e) {
       if (!is_alive(cells[b], e)) continue;
-      for (int f = 0; f < faces_of(cells[b].shape).count; ++f) {
+      for (int f = 0; f < face_count; ++f) {
         const Face face = face_of(cells[b], e, f);
         if (face.count >= 3) visit(b, e, f, face);
       }
@@ -101,7 +84,7 @@ void append_face(Surface& surface, std::span<const SolidCells> cells, const Cand
   const auto& c = face.corner;
   if (block.shape == Shape::tet10 && face.count == 3) {
     const Index* node = &block.node[static_cast<std::size_t>(from.element) * 10];
-    const auto& mid = tetrahedron.mid[from.face];
+    const auto& mid = mid_nodes[from.face];
     const Index m[3] = {node[mid[0]], node[mid[1]], node[mid[2]]};
     append(surface, from, {c[0], m[0], m[2], m[2]}, 0b101);
     append(surface, from, {m[0], c[1], m[1], m[1]}, 0b011);

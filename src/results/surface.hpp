@@ -29,7 +29,8 @@ struct Surface {
   std::size_t count() const { return element.size(); }
 };
 
-/// Finds the outer faces. Cost: sorting by the smallest node, O(n log n) at worst, linear in practice.
+/// Finds the outer faces of living elements (model::outer_faces knows neither deletion nor blocks). Cost:
+/// sorting by the smallest node, O(n log n) at worst, linear in practice.
 /// @param node_count  nodes of the model; every node index is below it
 /// Elements may repeat nodes (pyramids, wedges written as hexahedra): faces that collapse are left out.
 /// Neighbours that do not share all corners of a face (four nodes against three) both show theirs.

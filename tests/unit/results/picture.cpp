@@ -225,15 +225,19 @@ TEST_F(PictureFile, IsReadBackWithTheColoursOfTheField) {
 
 TEST_F(PictureFile, FailureSaysWhy) {
   const PictureModel nothing{};
-  EXPECT_NE(write_picture(nothing, {}, directory / "a.png").find("no active solid"), std::string::npos);
+  PictureOptions small;
+  small.width = 320;
+  small.height = 200;
+  EXPECT_NE(write_picture(nothing, small, directory / "a.png").find("no active solid"), std::string::npos);
 
   auto mesh = test::cubes(1, 1, 1);
   const SolidCells cells[] = {mesh.cells()};
   PictureModel model{.cells = cells, .position = mesh.position};
   model.element_value = {{1.0f}};
-  EXPECT_NE(write_picture(model, {}, directory / "none" / "a.png").find("cannot write"), std::string::npos);
+  EXPECT_NE(write_picture(model, small, directory / "none" / "a.png").find("cannot write"),
+            std::string::npos);
   mesh.position[0] = NAN;
-  EXPECT_NE(write_picture(model, {}, directory / "a.png").find("infinity"), std::string::npos);
+  EXPECT_NE(write_picture(model, small, directory / "a.png").find("infinity"), std::string::npos);
 }
 
 }  // namespace
