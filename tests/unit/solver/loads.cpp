@@ -1,0 +1,145 @@
+/// Loads against closed forms.
+
+#include <gtest/gtest.h>
+
+#include "rig.hpp"
+#include "solver/face.hpp"
+
+namespace cleave::solver::test {
+namespace {
+
+// A mass under F sin-like ramp: u = F t^3 / 6 m for F = t, by central differences u (1 + dt^2/..): order two.
+TEST(Loads, NodeForceAndItsWork) {
+  double error[2];
+  for (const int level : {0, 1}) {
+    Rig rig;
+    const Index a = rig.particle(2.0, {0, 0, 0});
+    model::NodeLoad load;
+    load.nodes = {a};
+    load.direction = {0, 0, 1};
+    load.curve = rig.curve({0, 10}, {0, 10});
+    load.scale = 3.0;
+    rig.model.node_loads.push_back(load);
+    rig.fixed_step(level == 0 ? 0.125 : 0.0625);
+    rig.run(2.0);
+    error[level] = std::abs(rig.x(a, 2) - 3.0 * 8.0 / 6.0 / 2.0);
+    EXPECT_NEAR(rig.state.energy.ratio(), 1.0, 0.01);
+  }
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.05);
+}
+
+// Three nodes of a rigid triangle that turns: the follower pushes along its present normal.
+TEST(Loads, FollowerTurnsWithItsNodes) {
+  Rig rig;
+  const Index m1 = rig.node(0, 0, 0), m2 = rig.node(1, 0, 0), m3 = rig.node(0, 1, 0);
+  const Index a = rig.particle(1.0, {0, 0, 5});
+  // m2 and m3 move so that the normal, (0,0,1) at first, is (0,-1,0) at t = 1: m3 goes to (0,0,1).
+  model::PrescribedMotion down, up;
+  down.nodes = up.nodes = {m3};
+  down.kind = up.kind = model::PrescribedMotion::Kind::displacement;
+  down.direction = {0, 1, 0};
+  up.direction = {0, 0, 1};
+  down.curve = rig.curve({0, 1, 9}, {0, -1, -1});
+  up.curve = rig.curve({0, 1, 9}, {0, 1, 1});
+  rig.model.motions = {down, up};
+  model::NodeLoad load;
+  load.nodes = {a};
+  load.follower = true;
+  load.follow[0] = m1;
+  load.follow[1] = m2;
+  load.follow[2] = m3;
+  load.curve = rig.constant(6.0);
+  rig.model.node_loads.push_back(load);
+  rig.fixed_step(0.0625);
+  Vector first{}, last{};
+  rig.run(1.5, [&](const Frame& frame) {
+    const double* f = &frame.acceleration[3 * static_cast<std::size_t>(a)];
+    if (frame.state.cycle == 0) first = {f[0], f[1], f[2]};
+    last = {f[0], f[1], f[2]};
+  });
+  EXPECT_NEAR(first.z, 6.0, 1e-14);
+  EXPECT_NEAR(last.y, -6.0, 1e-12);
+  EXPECT_NEAR(last.z, 0.0, 1e-12);
+}
+
+/// Corners of a hexahedron, distorted so that its faces are warped, and its faces counter-clockwise from
+/// outside.
+struct Box : Rig {
+  std::vector<model::Segment> faces{{{0, 3, 2, 1}}, {{4, 5, 6, 7}}, {{0, 1, 5, 4}},
+                                    {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{3, 0, 4, 7}}};
+  explicit Box(double warp) {
+    const double x[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                            {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    for (int a = 0; a < 8; ++a)
+      particle(1.0, {x[a][0] + warp * std::sin(3.0 * a), x[a][1] + warp * std::cos(5.0 * a + 1.0),
+                     x[a][2] + warp * std::sin(7.0 * a + 2.0)});
+  }
+};
+
+TEST(Loads, PressureOnAClosedSurfaceHasNoResultant) {
+  Box rig(0.2);
+  // One face as two triangles, to have both kinds.
+  const model::Segment quad = rig.faces.back();
+  rig.faces.back() = {{quad.node[0], quad.node[1], quad.node[2], quad.node[2]}};
+  rig.faces.push_back({{quad.node[0], quad.node[2], quad.node[3], quad.node[3]}});
+  Vector sum{0, 0, 0}, torque{0, 0, 0};
+  double largest = 0.0;
+  for (const auto& face : rig.faces) {
+    const auto vectors = face_vectors(face, rig.model.mesh.nodes.position);
+    for (std::size_t a = 0; a < 4; ++a) {
+      const double* x = &rig.model.mesh.nodes.position[3 * static_cast<std::size_t>(face.node[a])];
+      sum = sum + vectors[a];
+      torque = torque + base::cross(Vector{x[0], x[1], x[2]}, vectors[a]);
+      largest = std::max(largest, std::sqrt(base::dot(vectors[a], vectors[a])));
+    }
+  }
+  EXPECT_GT(largest, 0.1);
+  EXPECT_LT(std::sqrt(base::dot(sum, sum)), 1e-15);
+  EXPECT_LT(std::sqrt(base::dot(torque, torque)), 1e-15);
+}
+
+TEST(Loads, PressurePushesInwardsWithItsAreaAfterArrival) {
+  Box rig(0.0);
+  model::SegmentLoad load;
+  load.segments = {rig.faces[1]};  // top, z = 1
+  load.curve = rig.curve({0, 100}, {12, 12});
+  load.arrival = 0.5;
+  rig.model.segment_loads.push_back(load);
+  rig.fixed_step(0.25);
+  rig.run(1.0, [&](const Frame& frame) {
+    const double f = frame.state.time < 0.5 ? 0.0 : -3.0;
+    for (std::size_t a = 4; a < 8; ++a) EXPECT_NEAR(frame.acceleration[3 * a + 2], f, 1e-13);
+    for (std::size_t a = 0; a < 4; ++a) EXPECT_EQ(frame.acceleration[3 * a + 2], 0.0);
+  });
+  // A load that jumps leaves m a^2 dt^2 / 8 per node between the trapezoidal work and the kinetic energy.
+  EXPECT_NEAR(rig.state.energy.total() - rig.state.energy.external, 4.0 * 9.0 * 0.0625 / 8.0, 1e-12);
+}
+
+// Centrifugal acceleration w^2 r away from the axis: r = r0 cosh(w t) in the turning frame.
+TEST(Loads, RotationThrowsOutwards) {
+  double error[2];
+  for (const int level : {0, 1}) {
+    Rig rig;
+    const Index a = rig.particle(1.0, {2.0, 1.0, 3.0});
+    rig.model.body_loads.push_back({{0, 0, 1}, true, {1.0, 1.0, 0.0}, rig.constant(2.0), 1.0, {}});
+    rig.fixed_step(level == 0 ? 0.02 : 0.01);
+    rig.run(1.0);
+    error[level] = std::abs(rig.x(a) - 1.0 - std::cosh(2.0 * rig.state.time));
+    EXPECT_EQ(rig.x(a, 1), 1.0);
+    EXPECT_EQ(rig.x(a, 2), 3.0);
+  }
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.05);
+}
+
+TEST(Loads, BodyForceOnSomeNodes) {
+  Rig rig;
+  const Index a = rig.particle(1.0, {0, 0, 0}), b = rig.particle(1.0, {1, 0, 0});
+  rig.model.body_loads.push_back({{0, 1, 0}, false, {0, 0, 0}, rig.constant(2.0), 1.5, {false, true}});
+  rig.fixed_step(0.25);
+  rig.run(1.0);
+  EXPECT_EQ(rig.x(a, 1), 0.0);
+  EXPECT_DOUBLE_EQ(rig.x(b, 1), -1.5);
+}
+
+}  // namespace
+}  // namespace cleave::solver::test
