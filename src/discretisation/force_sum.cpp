@@ -80,15 +80,19 @@ double ForceSum::value(std::int32_t node, int component) const {
 
 void ForceSum::values(base::Array<double>& out) const {
   out.resize(sum_.size());
-  const double unit = 1.0 / scale_;
-  base::for_each_range(sum_.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) out[i] = static_cast<double>(sum_[i]) * unit;
-  });
-  for (const auto& entry : coarse_) {
-    const std::int64_t slot = entry.first.first;
-    out[static_cast<std::size_t>(slot)] =
-        value(static_cast<std::int32_t>(slot / 3), static_cast<int>(slot % 3));
-  }
+  base::for_each_range(sum_.size() / 3, grain,
+                       [&](std::size_t begin, std::size_t end) { values(begin, end, &out[3 * begin]); });
+}
+
+void ForceSum::values(std::size_t first, std::size_t last, double* out) const {
+  const double unit = 1.0 / scale_;  // a power of two: as exact as the division
+  const std::int64_t* from = sum_.data() + 3 * first;
+  for (std::size_t i = 0; i < 3 * (last - first); ++i) out[i] = static_cast<double>(from[i]) * unit;
+  if (coarse_.empty()) return;
+  const auto begin = static_cast<std::int64_t>(3 * first), end = static_cast<std::int64_t>(3 * last);
+  for (auto it = coarse_.lower_bound({begin, 0}); it != coarse_.end() && it->first.first < end; ++it)
+    out[it->first.first - begin] =
+        value(static_cast<std::int32_t>(it->first.first / 3), static_cast<int>(it->first.first % 3));
 }
 
 }  // namespace cleave::discretisation

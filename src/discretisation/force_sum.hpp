@@ -78,6 +78,8 @@ class ForceSum {
   double value(std::int32_t node, int component) const;
   /// All sums as doubles, [node][3].
   void values(base::Array<double>& out) const;
+  /// Those of nodes first .. last-1, [node - first][3], from the thread that calls.
+  void values(std::size_t first, std::size_t last, double* out) const;
 
  private:
   static constexpr double magic =

@@ -2,11 +2,26 @@
 
 #include <algorithm>
 
+#include "base/lanes.hpp"
 #include "base/threads.hpp"
 
 namespace cleave::solver {
 
 using discretisation::State;
+
+namespace {
+
+/// out = x + factor * y. All on 64-byte boundaries. @param count of doubles
+void add_scaled(const double* x, const double* y, double factor, double* out, std::size_t count) {
+  using base::Lanes;
+  constexpr std::size_t width = base::lane_count;
+  const Lanes f(factor);
+  std::size_t k = 0;
+  for (; k + width <= count; k += width) (Lanes::load(x + k) + Lanes::load(y + k) * f).store(out + k);
+  for (; k < count; ++k) out[k] = x[k] + y[k] * factor;
+}
+
+}  // namespace
 
 Nodal::Nodal(std::size_t node_count)
     : count_(node_count),
@@ -27,12 +42,16 @@ void Nodal::accelerate(const State& state, const discretisation::ForceSum& inter
   std::fill(stale_.begin(), stale_.end(), 0);
   base::for_each_range(count_, grain, [&](std::size_t begin, std::size_t end) {
     // Forces first: a range of them stays in the nearest cache for the rest.
-    for (std::size_t a = begin; a < end; ++a)
-      for (int i = 0; i < 3; ++i) acceleration[3 * a + i] = internal.value(static_cast<std::int32_t>(a), i);
+    double* a = &acceleration[3 * begin];
+    internal.values(begin, end, a);
     if (!external.empty())
-      for (std::size_t k = 3 * begin; k < 3 * end; ++k) acceleration[k] += external[k];
-    for (std::size_t a = begin; a < end; ++a)
-      for (int i = 0; i < 3; ++i) acceleration[3 * a + i] *= inverse_mass_[a];
+      for (std::size_t k = 0; k < 3 * (end - begin); ++k) a[k] += external[3 * begin + k];
+    const double* inverse = &inverse_mass_[begin];
+    for (std::size_t node = 0; node < end - begin; ++node) {
+      a[3 * node] *= inverse[node];
+      a[3 * node + 1] *= inverse[node];
+      a[3 * node + 2] *= inverse[node];
+    }
     settle_range(state, acceleration, begin, end);
   });
 }
@@ -40,15 +59,13 @@ void Nodal::accelerate(const State& state, const discretisation::ForceSum& inter
 void Nodal::settle_range(const State& state, std::span<const double> acceleration, std::size_t begin,
                          std::size_t end) {
   const double back = 0.5 * state.step;
+  double* middle = &middle_[3 * begin];
+  add_scaled(&state.velocity[3 * begin], &acceleration[3 * begin], back, middle, 3 * (end - begin));
+  const double* mass = &state.mass[begin];
   double sum = 0.0;
-  for (std::size_t a = begin; a < end; ++a) {
-    double square = 0.0;
-    for (std::size_t k = 3 * a; k < 3 * a + 3; ++k) {
-      const double v = state.velocity[k] + acceleration[k] * back;
-      middle_[k] = v;
-      square += v * v;
-    }
-    sum += state.mass[a] * square;
+  for (std::size_t node = 0; node < end - begin; ++node) {
+    const double* v = middle + 3 * node;
+    sum += mass[node] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }
   kinetic_[begin / grain] = sum;
 }
@@ -71,11 +88,9 @@ void Nodal::settle_all(const State& state, std::span<const double> acceleration)
 void Nodal::move(State& state, std::span<const double> acceleration) {
   const double interval = 0.5 * (state.step + state.next_step), dt = state.next_step;
   base::for_each_range(3 * state.mass.size(), 3 * grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const double v = state.velocity[k] + acceleration[k] * interval;
-      state.velocity[k] = v;
-      state.position[k] += v * dt;
-    }
+    double *v = &state.velocity[begin], *x = &state.position[begin];
+    add_scaled(v, &acceleration[begin], interval, v, end - begin);
+    add_scaled(x, v, dt, x, end - begin);
   });
 }
 
