@@ -1,0 +1,65 @@
+#include "app/simulate.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "app/account.hpp"
+#include "app/switches.hpp"
+#include "app/version.hpp"
+#include "results/picture_writer.hpp"
+#include "results/recorder.hpp"
+#include "solver/solver.hpp"
+
+namespace cleave::app {
+
+std::unique_ptr<discretisation::World> build_world(Reading& reading) {
+  auto world =
+      std::make_unique<discretisation::World>(discretisation::build(reading.model, reading.diagnostics));
+  if (!reading.failed()) return world;
+  print_diagnostics(reading);
+  return nullptr;
+}
+
+int simulate(const Simulation& simulation, discretisation::State& state) {
+  const Options& options = simulation.options;
+  const Reading& reading = simulation.reading;
+
+  deck::Diagnostics diagnostics;
+  const auto solver =
+      solver::make_explicit(simulation.world, {.stop_at_cycle = options.stop_at_cycle}, diagnostics);
+  const std::string objections = diagnostics.render(reading.deck->sources(), isatty(STDERR_FILENO));
+  std::fputs(objections.c_str(), stderr);
+  if (diagnostics.failed()) return bad_deck;
+
+  solver::Wishes wishes;
+  results::Recorder recorder(reading.model,
+                             {.directory = simulation.directory,
+                              .version = version,
+                              .deck = std::filesystem::absolute(options.input).lexically_normal(),
+                              .deck_fingerprint = simulation.deck_fingerprint,
+                              .progress = !options.quiet,
+                              .wishes = &wishes,
+                              .account = &reading.account,
+                              .deck_messages = simulation.deck_messages + objections,
+                              .warnings = reading.diagnostics.count(deck::Severity::warning)});
+  results::PictureWriter picture(simulation.directory);
+  solver::Observer* const observers[] = {&recorder, &picture};
+
+  solver::Outcome outcome;
+  {
+    const Switches switches(wishes, simulation.directory);
+    outcome = solver->advance(state, observers, wishes);
+  }
+  recorder.summarise(outcome);
+
+  if (!options.quiet)
+    std::printf("%s\n%s", recorder.text_summary(outcome).c_str(), table_of(reading.account).c_str());
+  if (!picture.problem().empty()) std::fprintf(stderr, "cleave: no picture: %s\n", picture.problem().c_str());
+  if (recorder.failed()) return files_failed;
+  if (outcome.ending == solver::Ending::physics) return physics_failed;
+  if (const int signal = Switches::signal_received()) return 128 + signal;
+  return done;
+}
+
+}  // namespace cleave::app

@@ -1,0 +1,28 @@
+#pragma once
+/// The part that `run` and `restart` share: from a model and a state to a finished run directory.
+
+#include <filesystem>
+#include <string>
+
+#include "app/commands.hpp"
+#include "discretisation/world.hpp"
+
+namespace cleave::app {
+
+/// One run on its way.
+struct Simulation {
+  const Options& options;
+  const Reading& reading;
+  const discretisation::World& world;
+  std::filesystem::path directory;  ///< run directory, exists
+  std::string deck_messages;        ///< what was said about the deck, for the log
+  std::string deck_fingerprint;     ///< of all its text, so that a restart knows its deck
+};
+
+/// Moves the state to the end with every observer attached, prints the summary, returns the exit status.
+int simulate(const Simulation& simulation, discretisation::State& state);
+
+/// Blocks of the model; what it has to say against the deck is printed. Null when it was refused.
+std::unique_ptr<discretisation::World> build_world(Reading& reading);
+
+}  // namespace cleave::app
