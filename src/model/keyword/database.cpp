@@ -34,15 +34,15 @@ void take_plot(Draft& draft, const Entry& entry) {
 
 /// Restart files: the number counts cycles.
 void take_dump(Draft& draft, const Entry& entry) {
-  const double cycles = entry.card().real("DT");
-  if (cycles < 0.0) draft.error(entry, "DT", "a number of cycles cannot be negative");
-  draft.model.requests.restart_cycles = static_cast<std::int64_t>(cycles);
+  const std::int64_t cycles = entry.integer("DT");
+  if (cycles < 0) draft.error(entry, "DT", "a number of cycles cannot be negative");
+  draft.model.requests.restart_cycles = cycles;
 }
 
 void take_running_dump(Draft& draft, const Entry& entry) {
-  const double cycles = entry.card().real("CYCL");
-  if (cycles < 0.0) draft.error(entry, "CYCL", "a number of cycles cannot be negative");
-  draft.model.requests.running_restart_cycles = static_cast<std::int64_t>(cycles);
+  const std::int64_t cycles = entry.integer("CYCL");
+  if (cycles < 0) draft.error(entry, "CYCL", "a number of cycles cannot be negative");
+  draft.model.requests.running_restart_cycles = cycles;
 }
 
 template <class Take>

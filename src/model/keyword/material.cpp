@@ -24,8 +24,9 @@ MaterialCard keep(const Entry& entry, Id id) {
 }
 
 void refuse_units(Draft& draft, const Entry& entry) {
-  if (changes_units(entry.transform()))
-    draft.refuse(entry, "", "a material inside a file with unit factors (FCTMAS, FCTTIM, FCTLEN)",
+  const auto& t = entry.transform();
+  if (changes_units(t) || t.temperature_factor != 1.0 || t.temperature_shift != 0.0)
+    draft.refuse(entry, "", "a material inside a file with unit factors (FCTMAS, FCTTIM, FCTLEN, FCTTEM)",
                  "move the material to a file without factors, in the units of the model");
 }
 

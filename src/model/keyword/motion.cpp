@@ -28,7 +28,7 @@ void take_motion(Draft& draft, const Entry& entry) {
   }
 
   const auto dof = entry.integer("DOF");
-  switch (std::abs(dof)) {
+  switch (dof < 0 && dof >= -12 ? -dof : dof) {
     case 1:
       motion.direction = {1, 0, 0};
       break;

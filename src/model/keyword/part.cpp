@@ -40,6 +40,9 @@ void take_hourglass(Draft& draft, const Entry& entry) {
     draft.refuse(entry, "IHQ", "hourglass type " + std::to_string(h.type), "types 1 to 6 are computed");
     h.type = 0;
   }
+  // VDC, the damping of type 6, stands in the column that is QB for shells.
+  if (const double vdc = entry.card().real("QB"); h.type == 6 && vdc != 0.0 && vdc != 0.1)
+    draft.refuse(entry, "QB", "viscous damping of hourglass type 6 (VDC)", "leave it blank");
   // Blank fields must not bring in the defaults of the card table: the control cards come first.
   const auto own = [&](std::string_view field) { return entry.given(field) ? entry.real(field, pure) : 0.0; };
   h.coefficient = own("QM");
@@ -89,7 +92,7 @@ constexpr Handler handlers[] = {
     {.keyword = "HOURGLASS",
      .phase = Phase::definition,
      .honoured = "TITLE HGID IHQ QM Q1 Q2",
-     .harmless = "IBQ QB/VDC QW",
+     .harmless = "IBQ QB QW",
      .take = take_hourglass,
      .remark = "QB, QW and IBQ act on shells only"},
     {.keyword = "PART",

@@ -15,23 +15,14 @@ void sort_unique(std::vector<Member>& members) {
   members.erase(std::unique(members.begin(), members.end()), members.end());
 }
 
-/// All ids of a card, from a series or from rows of eight fields; zeros are padding.
-std::vector<std::pair<Id, std::size_t>> written_ids(const Entry& entry, std::string_view series,
-                                                    std::string_view prefix) {
+/// All ids of a series with their row; zeros are padding.
+std::vector<std::pair<Id, std::size_t>> written_ids(const Entry& entry, std::string_view series) {
   std::vector<std::pair<Id, std::size_t>> ids;
-  if (entry.has(series)) {
-    std::size_t row = 0;
-    for (const Id id : entry.card().integers(series)) {
-      if (id != 0) ids.emplace_back(id, row);
-      ++row;
-    }
-    return ids;
+  std::size_t row = 0;
+  for (const Id id : entry.card().integers(series)) {
+    if (id != 0) ids.emplace_back(id, row);
+    ++row;
   }
-  const std::string first = std::string(prefix) + "1";
-  for (std::size_t row = 0; row < entry.card().row_count(first); ++row)
-    for (int k = 1; k <= 8; ++k)
-      if (const Id id = entry.integer(std::string(prefix) + std::to_string(k), row))
-        ids.emplace_back(id, row);
   return ids;
 }
 
@@ -80,7 +71,7 @@ template <class Kind>
 std::vector<typename Kind::Member> list(Draft& draft, const Entry& entry) {
   std::vector<typename Kind::Member> members;
   Capped missing;
-  for (const auto& [written, row] : written_ids(entry, Kind::series, "K")) {
+  for (const auto& [written, row] : written_ids(entry, Kind::series)) {
     const Id id = entry.offset(Kind::ids, written);
     typename Kind::Member member;
     if (Kind::find(draft, id, member))
@@ -143,7 +134,7 @@ std::vector<typename Kind::Member> generate(Draft& draft, const Entry& entry) {
 template <class Kind>
 std::vector<std::vector<typename Kind::Member>> named_sets(Draft& draft, const Entry& entry) {
   std::vector<std::vector<typename Kind::Member>> sets;
-  for (const auto& [written, row] : written_ids(entry, Kind::series, "K")) {
+  for (const auto& [written, row] : written_ids(entry, Kind::series)) {
     const Id id = entry.offset(IdKind::set, written);
     bool circular = false;
     if (const auto* members = Kind::book(draft).find(draft, id, &circular))
@@ -190,7 +181,7 @@ struct SegmentKind {
   static SetBook<Segment>& book(Draft& d) { return d.segment_sets; }
 };
 
-constexpr std::string_view ids = "TITLE SID NSID SOLVER ITS NODES PARTS SOLIDS SETS K1 K2 K3 K4 K5 K6 K7 K8";
+constexpr std::string_view ids = "TITLE SID NSID SOLVER ITS NODES PARTS SOLIDS SETS";
 constexpr std::string_view ranges = "TITLE SID SOLVER ITS B1BEG B1END B2BEG B2END B3BEG B3END B4BEG B4END";
 constexpr std::string_view selection = "TITLE SID SOLVER ITS OPTION E1 E2 E3 E4 E5 E6 E7";
 constexpr std::string_view attributes = "DA1 DA2 DA3 DA4 A1 A2 A3 A4";

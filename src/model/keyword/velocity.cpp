@@ -71,10 +71,8 @@ void take_generation(Draft& draft, const Entry& entry) {
   // The rotation axis: a point and a direction, or (NX = -999) the line through nodes NY and NZ.
   Vector centre = entry.point("XC", "YC", "ZC"), axis;
   if (entry.card().real("NX") == -999.0) {
-    const Index from =
-        draft.model.mesh.nodes.find(entry.offset(IdKind::node, static_cast<Id>(entry.card().real("NY"))));
-    const Index to =
-        draft.model.mesh.nodes.find(entry.offset(IdKind::node, static_cast<Id>(entry.card().real("NZ"))));
+    const Index from = draft.model.mesh.nodes.find(entry.offset(IdKind::node, entry.integer("NY")));
+    const Index to = draft.model.mesh.nodes.find(entry.offset(IdKind::node, entry.integer("NZ")));
     if (from < 0 || to < 0)
       return draft.error(entry, "NX", "a node of the rotation axis (NY, NZ) is not defined");
     centre = draft.position(from);

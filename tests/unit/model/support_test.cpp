@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
 
 #include "deck/layout.hpp"
 #include "deck_text.hpp"
+#include "model/keyword/handler.hpp"
 
 namespace cleave::model {
 namespace {
@@ -39,6 +43,27 @@ TEST(Support, OfKeywords) {
   EXPECT_EQ(support_of("DATABASE_RCFORC").policy, Account::Policy::output_only);
   EXPECT_EQ(support_of("NO_SUCH_THING").policy, Account::Policy::unknown);
   EXPECT_FALSE(support_of("MAT_PLASTIC_KINEMATIC").source.empty());
+}
+
+/// Keywords share lists of names, so each name must be a field of at least one keyword with that list.
+TEST(Support, ListsNameFieldsOfTheCardTable) {
+  std::map<std::string_view, std::set<std::string>> fields_by_list;
+  for (const Family* family : families())
+    for (const Handler& handler : *family)
+      for (const auto list : {handler.honoured, handler.harmless})
+        for (const std::string_view keyword : deck::known_keywords())
+          if (find_handler(keyword) == &handler)
+            for (const auto& field : deck::fields_of(keyword)) {
+              fields_by_list[list].insert(std::string(field.name));
+              fields_by_list[list].insert(std::string(field.name.substr(0, field.name.find('/'))));
+            }
+  for (const auto& [list, fields] : fields_by_list) {
+    std::istringstream words{std::string(list)};
+    for (std::string name; words >> name;)
+      if (name != "*") {
+        EXPECT_TRUE(fields.contains(name)) << name << " in: " << list;
+      }
+  }
 }
 
 TEST(Support, EveryRefusedKeywordSaysWhatToDo) {
