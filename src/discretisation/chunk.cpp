@@ -52,6 +52,7 @@ ChunkTable::ChunkTable(const PartElements& elements)
       shared.first.push_back(shared.first.back() + met[n]);
     }
   shared.slot.resize(static_cast<std::size_t>(shared.first.back()));
+  shared.row.resize(shared.slot.size());
   std::int32_t slot_count = 0;
 
   // Nodes of each chunk, its own first, each group ascending; then the local connectivity.
@@ -74,8 +75,11 @@ ChunkTable::ChunkTable(const PartElements& elements)
     chunk.own_count = static_cast<std::int32_t>(rest - mine.begin());
     chunk.node_count = static_cast<std::int32_t>(mine.size());
     chunk.first_slot = slot_count;
-    for (auto n = rest; n != mine.end(); ++n)
-      shared.slot[static_cast<std::size_t>(next_slot[static_cast<std::size_t>(*n)]++)] = slot_count++;
+    for (auto n = rest; n != mine.end(); ++n) {
+      const auto at = static_cast<std::size_t>(next_slot[static_cast<std::size_t>(*n)]++);
+      shared.slot[at] = slot_count++;
+      shared.row[at] = chunk.first_node + static_cast<std::int32_t>(n - mine.begin());
+    }
     chunks.push_back(chunk);
     largest_node_count = std::max(largest_node_count, chunk.node_count);
     nodes.insert(nodes.end(), mine.begin(), mine.end());
@@ -93,7 +97,7 @@ double ChunkTable::bytes() const {
                              chunks.size() * sizeof(Chunk) + nodes.size() * sizeof(Index) +
                              local.size() * sizeof(std::uint16_t) +
                              shared.node.size() * (sizeof(Index) + sizeof(std::int32_t)) +
-                             shared.slot.size() * (sizeof(std::int32_t) + 4 * sizeof(std::int64_t)));
+                             shared.slot.size() * (2 * sizeof(std::int32_t) + 4 * sizeof(std::int64_t)));
 }
 
 }  // namespace cleave::discretisation

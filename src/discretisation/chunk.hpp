@@ -29,6 +29,7 @@ struct SharedNodes {
   std::vector<Index> node;          ///< ascending
   std::vector<std::int32_t> first;  ///< [node + 1], offsets into slot
   std::vector<std::int32_t> slot;   ///< in the order of chunks
+  std::vector<std::int32_t> row;    ///< as slot: where the chunk has the node, offsets into ChunkTable::nodes
 };
 
 /// The elements of a block in curve order, cut into chunks.

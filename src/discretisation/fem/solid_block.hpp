@@ -8,7 +8,7 @@
 #include "base/threads.hpp"
 #include "discretisation/block.hpp"
 #include "discretisation/chunk.hpp"
-#include "discretisation/fem/force_scatter.hpp"
+#include "discretisation/fem/node_average.hpp"
 #include "discretisation/fem/solid_fields.hpp"
 #include "discretisation/fem/solid_kernel.hpp"
 
@@ -18,6 +18,7 @@ template <class Element>
 class SolidBlock final : public Block {
  public:
   static constexpr int nodes = Element::node_count, points = Element::point_count;
+  static constexpr bool averaged = AveragesAtNodes<Element>;
   static constexpr int tile_batches = points > 1 ? 1 : 4;  ///< between two calls of the law
 
   SolidBlock(const PartElements& elements, std::string_view name, Element element, SolidOptions options)
@@ -86,11 +87,20 @@ class SolidBlock final : public Block {
   StepOutput add_force(const StepInput& input, BlockState& state, ForceSum& force) const override {
     std::vector<StepOutput> results(table_.chunks.size());
     const ForceScatter<nodes> scatter(table_, force);
+    Averages averages(table_);
+    if constexpr (averaged)
+      volume_visit(
+          element_, table_, input, state,
+          [&](std::size_t b) { return records_of(b, state).element.get(ElementLayout::reference_volume); },
+          averages.volume);
     base::for_each_chunk(table_.chunks.size(), [&](std::size_t c) {
       thread_local ThreadMemory memory;
-      run_chunk(table_.chunks[c], input, state, scatter, memory, results[c]);
+      run_chunk(table_.chunks[c], input, state, averages, scatter, memory, results[c]);
     });
     scatter.add_shared();
+    if constexpr (averaged)
+      pressure_visit(element_, table_, input, state, averages.stress, scatter,
+                     [&](std::size_t c, std::size_t b, int lane) { report_broken(b, lane, results[c]); });
     return merged(std::move(results));
   }
 
@@ -150,6 +160,7 @@ class SolidBlock final : public Block {
   }
 
  private:
+  using Averages = std::conditional_t<averaged, NodeAverages, NoAverages>;
   struct ThreadMemory {
     ChunkMemory nodes;
     Kept<Lanes, Element> kept[tile_batches];
@@ -191,9 +202,13 @@ class SolidBlock final : public Block {
     return {false, part_, table_.id[table_.element(batch, lane)], what, likely_cause};
   }
 
-  void run_chunk(const Chunk& chunk, const StepInput& input, BlockState& state,
+  void run_chunk(const Chunk& chunk, const StepInput& input, BlockState& state, Averages& averages,
                  const ForceScatter<nodes>& scatter, ThreadMemory& memory, StepOutput& result) const {
     memory.nodes.load(table_, chunk, input.position, input.velocity);
+    if constexpr (averaged) {
+      averages.volume.divide(chunk, nodes);
+      averages.stress.clear(chunk);
+    }
     ChunkSums sums;
     alignas(64) double steps[ChunkTable::batches_per_chunk * lane_count];
     const std::size_t end = static_cast<std::size_t>(chunk.first_batch + chunk.batch_count);
@@ -201,14 +216,15 @@ class SolidBlock final : public Block {
          first += tile_batches) {
       const int count = static_cast<int>(std::min<std::size_t>(tile_batches, end - first));
       for (int i = 0; i < count; ++i)
-        before_law(first + static_cast<std::size_t>(i), input, state, memory, memory.kept[i],
+        before_law(first + static_cast<std::size_t>(i), chunk, input, state, averages, memory, memory.kept[i],
                    memory.point + i * points, result);
       law_->update(law_tile(memory.point, count * points, records_of(first, state).point.at, layout_,
                             input.dt, input.time));
       for (int i = 0; i < count; ++i) {
         const std::size_t b = first + static_cast<std::size_t>(i);
-        after_law(b, chunk, input, state, memory, memory.kept[i], memory.point + i * points, scatter,
-                  steps + (b - static_cast<std::size_t>(chunk.first_batch)) * lane_count, sums, result);
+        after_law(b, chunk, input, state, averages, memory, memory.kept[i], memory.point + i * points,
+                  scatter, steps + (b - static_cast<std::size_t>(chunk.first_batch)) * lane_count, sums,
+                  result);
       }
     }
     scatter.finish(chunk, memory.nodes, sums.magnitude);
@@ -231,20 +247,24 @@ class SolidBlock final : public Block {
     std::int64_t magnitude = 0;
   };
 
-  [[gnu::flatten]] void before_law(std::size_t batch, const StepInput& input, BlockState& state,
-                                   ThreadMemory& memory, Kept<Lanes, Element>& kept,
-                                   PointScratch<Lanes>* point, StepOutput& result) const {
+  [[gnu::flatten]] void before_law(std::size_t batch, [[maybe_unused]] const Chunk& chunk,
+                                   const StepInput& input, BlockState& state,
+                                   [[maybe_unused]] Averages& averages, ThreadMemory& memory,
+                                   Kept<Lanes, Element>& kept, PointScratch<Lanes>* point,
+                                   StepOutput& result) const {
     Vec3<Lanes> x[nodes], v[nodes];
-    const std::uint16_t* local = table_.local.data() + batch * nodes * lane_count;
-    for (int a = 0; a < nodes; ++a) {
-      const GatheredNode at = gather(memory.nodes.node.data(), local + a * lane_count);
-      x[a] = at.x;
-      v[a] = at.v;
-    }
+    gather_batch<nodes>(table_, batch, memory.nodes, x, v);
     prefetch_records(batch + tile_batches, state);
     const Lanes living = Lanes::load(state.alive.data() + batch * lane_count);
     const base::Mask active = living > Lanes(0.0);
-    strain_pass(element_, options_, layout_, x, v, input.dt, records_of(batch, state), active, kept, point);
+    [[maybe_unused]] NodeMeans<Lanes> means;
+    if constexpr (averaged) {
+      Lanes mean[NodeRows::width];
+      NodeRows::sum<nodes>(averages.volume.of(chunk), table_.local.data() + batch * nodes * lane_count, mean);
+      means = {mean[1], mean[2], mean[3]};
+    }
+    strain_pass(element_, options_, layout_, x, v, input.dt, records_of(batch, state), active, kept, point,
+                averaged ? &means : nullptr);
     if (!all((kept.least > Lanes(0.0)) | !active)) report_inverted(batch, kept.least, living, result);
   }
 
@@ -271,7 +291,8 @@ class SolidBlock final : public Block {
   }
 
   [[gnu::flatten]] void after_law(std::size_t batch, const Chunk& chunk, const StepInput& input,
-                                  BlockState& state, ThreadMemory& memory, Kept<Lanes, Element>& kept,
+                                  BlockState& state, [[maybe_unused]] Averages& averages,
+                                  ThreadMemory& memory, Kept<Lanes, Element>& kept,
                                   PointScratch<Lanes>* point, const ForceScatter<nodes>& scatter,
                                   double* steps, ChunkSums& sums, StepOutput& result) const {
     Vec3<Lanes> f[nodes];
@@ -300,12 +321,21 @@ class SolidBlock final : public Block {
     sums.internal += answer.internal;
     sums.hourglass += answer.hourglass;
     sums.damping += answer.damping;
-    sums.magnitude |= scatter.add(batch, chunk, active, everyone, f, memory.nodes, [&](int lane) {
-      result.status.merge(
-          failure(batch, lane, "force is not a number",
-                  "the material or the velocities of its nodes broke down: look at the states "
-                  "before, and at the units of the material"));
-    });
+    sums.magnitude |= scatter.add(batch, chunk, active, everyone, f, memory.nodes,
+                                  [&](int lane) { report_broken(batch, lane, result); });
+    if constexpr (averaged) {
+      const Lanes volume = records_of(batch, state).element.get(ElementLayout::reference_volume);
+      const Lanes value[NodeRows::width] = {
+          select(active, volume, zero), select(active, volume * kept.carried.mean_stress, zero), zero, zero};
+      NodeRows::add<nodes>(averages.stress.of(chunk), table_.local.data() + batch * nodes * lane_count,
+                           value);
+    }
+  }
+
+  void report_broken(std::size_t batch, int lane, StepOutput& result) const {
+    result.status.merge(failure(batch, lane, "force is not a number",
+                                "the material or the velocities of its nodes broke down: look at the states "
+                                "before, and at the units of the material"));
   }
 
   [[gnu::noinline]] void erode(std::size_t batch, base::Mask gone, const ForceAnswer<Lanes>& answer,

@@ -16,6 +16,14 @@
 ///              Real& hourglass_work) const;
 ///       internal nodal forces [force], and the work done against hourglass modes in the step [energy]
 /// See hex8_one_point.cpp for the shortest one.
+///
+/// A description with `static constexpr bool averages_at_nodes = true` takes its volume change and gives its
+/// mean stress by way of averages at the nodes (node_average.hpp); it has besides
+///   void volumes(const Vec3<Real>* x, const Vec3<Real>* v, double dt, Real* out) const;
+///       volume at t_n+1, at mid-step, and its growth in the step [length^3]
+///   void pressure_force(const Vec3<Real>* x, const Real& mean_stress, Vec3<Real>* force) const;
+///       what force() leaves out
+/// and its Carried has a member mean_stress.
 
 #include "base/tensor.hpp"
 #include "discretisation/fem/kinematics.hpp"
@@ -77,6 +85,20 @@ Vec3<Real> apply(const Mat3<Real>& q, const Vec3<Real>& v) {
           q.m[2][0] * v.x + q.m[2][1] * v.y + q.m[2][2] * v.z};
 }
 
+/// Description of an element that takes averages at its nodes.
+template <class Element>
+concept AveragesAtNodes = requires {
+  requires Element::averages_at_nodes;
+};
+
+/// Means over the nodes of an element of the averages there.
+template <class Real>
+struct NodeMeans {
+  Real ratio;   ///< volume at t_n+1 over reference volume [-]
+  Real middle;  ///< volume at mid-step over reference volume [-]
+  Real growth;  ///< growth of the volume in the step over reference volume [-]
+};
+
 /// Nodal values of a step.
 template <class Real>
 struct ElementInput {
@@ -85,6 +107,7 @@ struct ElementInput {
   const Real* reference_volume;  ///< [point] [length^3]
   double dt;
   bool needs_F;
+  const NodeMeans<Real>* means = nullptr;  ///< only for elements that average, and only in a step
 };
 
 /// How the points of an element moved.

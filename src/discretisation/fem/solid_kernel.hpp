@@ -46,10 +46,12 @@ struct BatchRecords {
 /// Before the law: motion of the points, stress turned with the body, viscosity.
 /// @param active  lanes of living elements; the others are frozen where they were
 /// @param point   [point] of the batch
+/// @param means   null unless the element takes averages at its nodes
 template <class Real, class Element, class Truth>
 void strain_pass(const Element& element, const SolidOptions& options, const PointLayout& layout,
                  const Vec3<Real>* x, const Vec3<Real>* v, double dt, const BatchRecords<Real>& records,
-                 Truth active, Kept<Real, Element>& kept, PointScratch<Real>* point) {
+                 Truth active, Kept<Real, Element>& kept, PointScratch<Real>* point,
+                 const NodeMeans<Real>* means = nullptr) {
   constexpr int points = Element::point_count;
   const ElementLayout own{points};
   Real reference_volume[points];
@@ -57,7 +59,7 @@ void strain_pass(const Element& element, const SolidOptions& options, const Poin
     reference_volume[p] = records.element.get(ElementLayout::reference_volume + p);
 
   ElementMotion<Real, points> motion;
-  element.strain(ElementInput<Real>{x, v, reference_volume, dt, options.needs_F},
+  element.strain(ElementInput<Real>{x, v, reference_volume, dt, options.needs_F, means},
                  records.element.from(own.own()), motion, kept.carried);
   const Real zero(0.0), one(1.0);
   const bool everyone = all(active);

@@ -292,6 +292,7 @@ TEST_P(SolidForm, StableStepOfTetrahedraIsBelowTheCriticalOne) {
 INSTANTIATE_TEST_SUITE_P(Forms, SolidForm,
                          testing::Values(Form{"hex8_selective", 2, model::Shape::hex8},
                                          Form{"tet4", 10, model::Shape::tet4},
+                                         Form{"tet4_nodal_pressure", 13, model::Shape::tet4},
                                          Form{"penta6", 15, model::Shape::penta6},
                                          Form{"tet10", 16, model::Shape::tet10}),
                          [](const auto& test) { return std::string(test.param.name); });
