@@ -6,14 +6,16 @@
 
 namespace cleave::discretisation::fem {
 
-/// One integration point: stress, the law's state, energy per reference volume, J, modulus. [component][lane]
+/// One integration point: stress, the law's state, energy per reference volume, J, modulus, bulk viscosity.
+/// [component][lane]
 struct PointLayout {
   int state_size = 0;
   static constexpr int stress = 0, state = 6;
   int energy() const { return 6 + state_size; }
   int volume_ratio() const { return 7 + state_size; }
   int modulus() const { return 8 + state_size; }
-  int size() const { return 9 + state_size; }
+  int viscosity() const { return 9 + state_size; }
+  int size() const { return 10 + state_size; }
 };
 
 /// One element: hourglass energy, cube root of the reference volume, reference volume of each point, then
@@ -28,7 +30,9 @@ struct ElementLayout {
 template <class Real>
 struct PointScratch {
   Real strain[6], F[9];
-  Real volume_ratio, volume_ratio_before, viscosity, length, modulus, failed;
+  Real volume_ratio, volume_ratio_before, length, modulus, failed;
+  Real viscosity;       ///< at the end of the step, part of the total stress [stress]
+  Real mean_viscosity;  ///< of its two ends: what the volume change of the step works against [stress]
 };
 
 /// The tile's view for the law: arrays inside PointScratch and inside the point records.
@@ -44,7 +48,7 @@ inline model::Tile law_tile(PointScratch<Lanes>* points, int count, double* reco
   tile.deformation_gradient = in(points->F[0]);
   tile.volume_ratio = in(points->volume_ratio);
   tile.volume_ratio_before = in(points->volume_ratio_before);
-  tile.bulk_viscosity = in(points->viscosity);
+  tile.bulk_viscosity = in(points->mean_viscosity);
   tile.length = in(points->length);
   tile.modulus = in(points->modulus);
   tile.failed = in(points->failed);

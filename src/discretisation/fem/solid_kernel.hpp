@@ -106,6 +106,8 @@ void strain_pass(const Element& element, const SolidOptions& options, const Poin
     const Real speed = sqrt(modulus * at.volume_ratio * per_density);
     out.volume_ratio = at.volume_ratio;
     out.viscosity = bulk_viscosity(options.bulk, density, motion.length, speed, kept.rate[p]);
+    out.mean_viscosity = Real(0.5) * (record.get(layout.viscosity()) + out.viscosity);
+    record.set(layout.viscosity(), out.viscosity);
     out.length = kept.size;
     record.set(layout.volume_ratio(), at.volume_ratio);
     if (options.needs_F)

@@ -20,7 +20,7 @@ struct Point {
   base::Mat3<Real> F;                 ///< deformation gradient; set only if the law says needs_F [-]
   Real volume_ratio;                  ///< J at the end of the step [-]
   Real volume_ratio_before;           ///< J at its begin [-]
-  Real bulk_viscosity;                ///< q of the step, positive in compression [stress]
+  Real bulk_viscosity;                ///< q, mean of both ends of the step, positive in compression [stress]
   Real length;                        ///< characteristic length of the element [length]
   PressureLine<Real> pressure;        ///< of the equation of state; set only if the law asks for it
 
