@@ -27,34 +27,38 @@ enum class FacetKind : std::uint8_t {
 
 /// A facet of a patch element.
 ///
-/// `normal` is the area vector of the facet in spacetime, N_k of the specification: outward from `element`, its
-/// length is the measure of the facet, so that the integral of f n_t - g_j n_j is the weighted mean of
-/// f N_t - g_j N_j (weights sum to one). [length^(D-1) time] in space, [length^D] in time
+/// `normal` is the area vector of the facet in spacetime, N_k of the specification: outward from `element`,
+/// its length is the measure of the facet, so that the integral of f n_t - g_j n_j is the weighted mean of f
+/// N_t - g_j N_j (weights sum to one). [length^(D-1) time] in space, [length^D] in time
 template <int D>
 struct Facet {
   FacetKind kind = FacetKind::inflow;
-  std::int32_t element = -1;     ///< in the patch
-  std::int32_t neighbour = -1;   ///< interior: the element on the other side; else -1
-  std::int32_t boundary = -1;    ///< boundary: index of the boundary face of the mesh; else -1
-  std::array<Event<D>, D + 1> corner;
+  std::int32_t element = -1;    ///< in the patch
+  std::int32_t neighbour = -1;  ///< interior: the element on the other side; else -1
+  std::int32_t boundary = -1;   ///< boundary: index of the boundary face of the mesh; else -1
+  std::int32_t twin = -1;       ///< interior: the same facet in Patch::facets as seen by `neighbour`; else -1
+  std::array<Event<D>, D + 1> corner;  ///< with the pole: foot, the others by ascending vertex, top
   Event<D> normal;
 };
 
 /// One spacetime simplex of a patch.
 template <int D>
 struct PatchElement {
-  Simplex simplex = -1;                     ///< of the front, below and above it
-  std::array<Event<D>, D + 2> corner;       ///< foot of the pole, the D others, top of the pole
-  double volume = 0.0;                      ///< [length^D time]
-  std::int32_t material = 0;                ///< index of the part
+  Simplex simplex = -1;                ///< of the front, below and above it
+  std::array<Event<D>, D + 2> corner;  ///< foot of the pole, the D others, top of the pole
+  double volume = 0.0;                 ///< [length^D time]
+  std::int32_t material = 0;           ///< index of the part
 };
 
 template <int D>
 struct Patch {
   Vertex pole = -1;
-  Event<D> foot, top;                       ///< of the pole
-  std::vector<PatchElement<D>> elements;    ///< in ascending simplex number
-  std::vector<Facet<D>> facets;             ///< by element, inflow, outflow, then those with the pole
+  Event<D> foot, top;                     ///< of the pole
+  std::vector<PatchElement<D>> elements;  ///< in ascending simplex number
+  /// D + 2 per element: inflow, outflow, then the D that contain the pole (facet 2 + i is opposite corner 1 +
+  /// i). An interior facet is listed by both its elements: same corners in the same order, exactly opposite
+  /// normals.
+  std::vector<Facet<D>> facets;
 };
 
 }  // namespace cleave::discretisation::spacetime
