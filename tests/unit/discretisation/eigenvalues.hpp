@@ -8,7 +8,14 @@ namespace cleave::discretisation::sample {
 
 /// Eigenvalues of a symmetric matrix, ascending, by cyclic Jacobi rotations.
 inline std::vector<double> eigenvalues(std::vector<double> a, int n) {
-  for (int sweep = 0; sweep < 60; ++sweep)
+  for (int sweep = 0; sweep < 60; ++sweep) {
+    double outside = 0.0, all = 0.0;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        all += a[i * n + j] * a[i * n + j];
+        if (i != j) outside += a[i * n + j] * a[i * n + j];
+      }
+    if (outside <= 1e-36 * all) break;
     for (int p = 0; p < n; ++p)
       for (int q = p + 1; q < n; ++q) {
         const double apq = a[p * n + q];
@@ -27,6 +34,7 @@ inline std::vector<double> eigenvalues(std::vector<double> a, int n) {
           a[q * n + k] = s * apk + c * aqk;
         }
       }
+  }
   std::vector<double> values(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) values[static_cast<std::size_t>(i)] = a[i * n + i];
   std::ranges::sort(values);
