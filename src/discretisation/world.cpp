@@ -9,6 +9,22 @@
 
 namespace cleave::discretisation {
 
+namespace {
+
+/// What a section of this family may say for elements of this shape: "ELFORM 1 (hex8-one-point), ...".
+std::string choices(std::string_view family, model::Shape shape) {
+  std::string text;
+  for (const FormulationEntry* entry : formulation_catalogue()) {
+    if (entry->family != family || std::ranges::find(entry->shapes, shape) == entry->shapes.end()) continue;
+    text += text.empty() ? "choose ELFORM " : "; ";
+    for (const int form : entry->forms) text += (form == entry->forms[0] ? "" : ", ") + std::to_string(form);
+    text += " (" + std::string(entry->name) + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
 World build(const model::Model& model, deck::Diagnostics& diagnostics) {
   World world;
   world.model = &model;
@@ -39,7 +55,8 @@ World build(const model::Model& model, deck::Diagnostics& diagnostics) {
         diagnostics.error(part.section.place, "SECTION_" + part.section.family, "ELFORM",
                           "no formulation for ELFORM " + std::to_string(part.section.form) + " with " +
                               std::string(model::name_of(elements.shape)) + " elements, which part " +
-                              std::to_string(part.id) + " has");
+                              std::to_string(part.id) + " has",
+                          choices(part.section.family, elements.shape));
         continue;
       }
       if (auto block = entry->build(elements, diagnostics)) world.blocks.push_back(std::move(block));

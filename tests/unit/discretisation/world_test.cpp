@@ -82,6 +82,19 @@ TEST(World, ASectionNobodyHonoursIsAnErrorThatNamesThePart) {
   const auto& message = diagnostics.all()[0].message;
   EXPECT_NE(message.find("99"), std::string::npos);
   EXPECT_NE(message.find("part 7"), std::string::npos);
+  const auto& hint = diagnostics.all()[0].hint;
+  EXPECT_NE(hint.find("1 (hex8-one-point); 2 (hex8-selective)"), std::string::npos) << hint;
+}
+
+/// Forms of the format that are not computed here are refused, not replaced by a neighbour.
+TEST(World, OtherFormsOfSolidsAreRefused) {
+  for (const int form : {-18, -2, -1, 3, 4, 5, 10, 13, 15, 16, 17, 18, 41, 43, 47}) {
+    Sample s = two_parts();
+    s.model.parts[1].section.form = form;
+    deck::Diagnostics diagnostics;
+    build(s.model, diagnostics);
+    EXPECT_EQ(diagnostics.count(deck::Severity::error), 1u) << form;
+  }
 }
 
 TEST(World, AnHourglassTypeNobodyHonoursIsAnError) {
