@@ -5,6 +5,7 @@
 /// touch are added in the order of chunks. Neither depends on the number of threads, so doubles will do.
 
 #include <algorithm>
+#include <memory>
 
 #include "discretisation/fem/force_scatter.hpp"
 #include "discretisation/fem/solid_element.hpp"
@@ -16,9 +17,10 @@ class NodeRows {
  public:
   static constexpr int width = 4;
 
-  explicit NodeRows(const ChunkTable& table) : table_(table), row_(table.nodes.size() * width) {}
+  explicit NodeRows(const ChunkTable& table)
+      : table_(table), row_(std::make_unique_for_overwrite<Row[]>(table.nodes.size())) {}
 
-  double* of(const Chunk& chunk) { return row_.data() + std::ptrdiff_t{chunk.first_node} * width; }
+  double* of(const Chunk& chunk) { return row_[static_cast<std::size_t>(chunk.first_node)].value; }
   void clear(const Chunk& chunk) { std::fill_n(of(chunk), chunk.node_count * width, 0.0); }
 
   /// Adds the same four numbers of each element to the rows of all its nodes.
@@ -91,13 +93,16 @@ class NodeRows {
   }
 
  private:
+  struct alignas(32) Row {
+    double value[width];
+  };
   using V = Lanes::Vector;
   using Four = double __attribute__((vector_size(32), aligned(32), may_alias));
   static Four& at(double* rows, std::int32_t i) { return *reinterpret_cast<Four*>(rows + width * i); }
-  Four& row(std::int32_t i) { return at(row_.data(), i); }
+  Four& row(std::int32_t i) { return at(row_[0].value, i); }
 
   const ChunkTable& table_;
-  base::Array<double> row_;  // [node of chunk][width]
+  std::unique_ptr<Row[]> row_;  // [node of chunk], filled by clear()
 };
 
 /// What a step keeps at the nodes: rows of (reference volume, volume, mid-step volume, growth), and of
