@@ -20,6 +20,8 @@ struct FieldLayout {
 
 /// Does the table know this keyword (number form, synonyms and options allowed)? Canonical name, or empty.
 std::string_view canonical_keyword(std::string_view written);
+/// Does the reader itself use up this keyword (*KEYWORD, *INCLUDE, *PARAMETER, *TITLE, ...)?
+bool steers_reading(std::string_view canonical);
 /// The known keywords, sorted.
 std::span<const std::string_view> known_keywords();
 /// Nearest known keyword by edit distance, or empty when nothing is near.

@@ -171,7 +171,7 @@ class Reader {
     Block& block = data_->blocks[index];
     const std::string& keyword = block.keyword;
     if (!block.known) return;
-    block.consumed = true;
+    block.consumed = steers_reading(keyword);
     if (keyword == "TITLE")
       take_title(index);
     else if (keyword == "INCLUDE")
@@ -186,8 +186,6 @@ class Reader {
       refuse(index);
     else if (keyword.starts_with("PARAMETER"))
       define_parameters(index);
-    else
-      block.consumed = keyword == "KEYWORD" || keyword == "END" || keyword == "COMMENT";
   }
 
   void take_title(std::size_t index) {

@@ -25,11 +25,21 @@ std::span<const LawField> law_fields(std::string_view keyword, std::string& sour
   return {};
 }
 
+std::string_view law_harmless(std::string_view keyword) {
+  const LawEntry* law = find_law(keyword);
+  return law ? law->harmless : std::string_view();
+}
+
 }  // namespace
 
 KeywordSupport support_of(std::string_view keyword) {
   KeywordSupport support;
   if (deck::canonical_keyword(keyword).empty()) return support;
+  if (deck::steers_reading(keyword)) {
+    support.policy = Account::Policy::honoured;
+    support.remark = "used when the deck is read";
+    return support;
+  }
   const Handler* handler = find_handler(keyword);
   if (handler && !handler->take && !handler->stream) handler = nullptr;
   const auto laws = law_fields(keyword, support.source);
@@ -60,7 +70,7 @@ KeywordSupport support_of(std::string_view keyword) {
       field.required = law->required;
     } else if (first == "TITLE" || (material ? in("MID EOSID RO") : in(handler->honoured))) {
       field.use = FieldSupport::Use::honoured;
-    } else if (!material && in(handler->harmless)) {
+    } else if (in(material ? law_harmless(keyword) : handler->harmless)) {
       field.use = FieldSupport::Use::harmless;
     }
     whole = whole && field.use == FieldSupport::Use::honoured;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "deck/layout.hpp"
+#include "model/keyword/handler.hpp"
 #include "model/keyword/honoured.hpp"
 #include "model/material/eos.hpp"
 #include "model/material/erosion.hpp"
@@ -18,14 +19,15 @@ std::string shortest(double value) {
 }
 
 /// Ranges, required fields, and fields the law does not know. False if anything is an error.
-bool check_fields(Draft& draft, Account& account, const Entry& entry, std::span<const LawField> fields) {
+bool check_fields(Draft& draft, Account& account, const Entry& entry, std::span<const LawField> fields,
+                  std::string_view harmless = {}) {
   const std::size_t before = draft.diagnostics.count(deck::Severity::error);
   report_unused(draft, entry, account_of(account, entry.keyword()), [&](std::string_view name) {
     if (name == "MID" || name == "EOSID" || name == "RO" || name == "TITLE") return FieldUse::honoured;
     for (const LawField& f : fields)
       if (f.name == name || (entry.has(f.name) && f.name.substr(0, f.name.find('/')) == name))
         return FieldUse::honoured;
-    return FieldUse::ignored;
+    return names(harmless, name) ? FieldUse::harmless : FieldUse::ignored;
   });
   for (const LawField& f : fields) {
     if (!entry.has(f.name)) continue;
@@ -83,7 +85,7 @@ class LawBuilder {
                                "choose one of the laws that are");
       return nullptr;
     }
-    bool good = check_fields(draft_, *draft_.account, entry, law->fields);
+    bool good = check_fields(draft_, *draft_.account, entry, law->fields, law->harmless);
     if (!(part.density > 0.0) && good) {
       draft_.error(entry, "RO", "the density must be above 0",
                    "in the units of the deck, e.g. 7.85e-9 tonne/mm3 for steel");

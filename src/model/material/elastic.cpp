@@ -40,6 +40,10 @@ std::unique_ptr<Law> build(const deck::Card& card, const LawContext&) {
 
 }  // namespace
 
-extern const LawEntry elastic{"MAT_ELASTIC", fields, build, "Belytschko, Liu & Moran 2000, eq. 5.4.21"};
+extern const LawEntry elastic{.keyword = "MAT_ELASTIC",
+                              .fields = fields,
+                              .build = build,
+                              .source = "Belytschko, Liu & Moran 2000, eq. 5.4.21",
+                              .harmless = "DA DB"};
 
 }  // namespace cleave::model

@@ -98,6 +98,7 @@ struct LawEntry {
   std::string_view source;      ///< paper and equation
   bool needs_pressure = false;  ///< refuses a part without an equation of state
   bool takes_pressure = false;  ///< honours one if given
+  std::string_view harmless{};  ///< fields that act on shells or beams only, blank between
 };
 
 std::span<const LawEntry* const> law_catalogue();

@@ -67,6 +67,7 @@ extern const LawEntry null{.keyword = "MAT_NULL",
                            .build = build,
                            .source = "Batchelor 1967, eq. 3.3.11",
                            .needs_pressure = true,
-                           .takes_pressure = true};
+                           .takes_pressure = true,
+                           .harmless = "YM PR"};
 
 }  // namespace cleave::model
