@@ -40,7 +40,9 @@ TEST(Material, RangesAndRequiredFields) {
   EXPECT_TRUE(with("*MAT_ELASTIC\n1,7.85e-9,,0.3\n" + rest).says(Severity::error, 5, "is needed and blank"));
   EXPECT_TRUE(with("*MAT_ELASTIC\n1,,2.1e5,0.3\n" + rest).says(Severity::error, 5, "density"));
   EXPECT_TRUE(
-      with("*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3,0.5\n" + rest).says(Severity::error, 5, "not honoured"));
+      with("*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3,0.5\n" + rest).says(Severity::warning, 5, "not used here"));
+  EXPECT_TRUE(with("*MAT_MOONEY-RIVLIN_RUBBER\n1,1e-9,0.49,1.0,0.2\n1.0,1.0,1.0\n" + rest)
+                  .says(Severity::error, 6, "not honoured"));
   EXPECT_FALSE(with("*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3,0.0\n" + rest).failed());
 }
 

@@ -30,7 +30,8 @@ TEST(Support, OfFields) {
   EXPECT_EQ(use_of("CONTROL_TIMESTEP", "TSSFAC"), Use::honoured);
   EXPECT_EQ(use_of("CONTROL_TIMESTEP", "IMSCL"), Use::refused);
   EXPECT_EQ(use_of("CONTROL_SOLID", "FMATRX"), Use::harmless);
-  EXPECT_EQ(use_of("MAT_ELASTIC", "DA"), Use::refused);
+  EXPECT_EQ(use_of("MAT_ELASTIC", "DA"), Use::harmless);
+  EXPECT_EQ(use_of("MAT_MOONEY-RIVLIN_RUBBER", "SGL"), Use::refused);
   EXPECT_EQ(use_of("MAT_ELASTIC", "RO"), Use::honoured);
   EXPECT_EQ(use_of("MAT_ADD_EROSION", "SIGP1"), Use::honoured);
 }
