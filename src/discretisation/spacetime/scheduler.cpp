@@ -1,0 +1,233 @@
+#include "discretisation/spacetime/scheduler.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <queue>
+
+#include "base/assert.hpp"
+#include "base/threads.hpp"
+
+namespace cleave::discretisation::spacetime {
+namespace {
+
+/// Memory of recorded tents, per vertex: written only by the thread that pitches the vertex.
+struct Diary {
+  struct Entry {
+    double foot, top, duration;
+    std::vector<std::int32_t> seen;  ///< tents so far at the vertex itself and at each of its neighbours
+  };
+  std::vector<Entry> entries;
+};
+
+}  // namespace
+
+/// What one advance knows.
+template <int D>
+struct Scheduler<D>::Run {
+  const Scheduler& scheduler;
+  const SpaceMesh<D>& mesh;
+  Front<D>& front;
+  const double end_time;
+  const Solve& solve;
+  std::vector<Diary> diaries;  ///< [vertex] when recording
+  std::atomic<std::int64_t> patches{0};
+
+  std::mutex failure_lock;
+  FrontStatus failure;
+  Key failed_at;
+  std::atomic<double> stop_after{
+      std::numeric_limits<double>::infinity()};  ///< tents with later feet are dropped
+
+  /// Pitches v and moves the front. False when nothing moved.
+  bool pitch(Vertex v) {
+    const auto started = std::chrono::steady_clock::now();
+    const Key key = scheduler.pitcher_.key(front, v);
+    if (key.time > stop_after.load(std::memory_order_relaxed)) return false;
+    Pole<D> pole = scheduler.pitcher_.pitch(front, v, end_time);
+    const double offered = pole.height();
+    if (!(offered > 0.0)) return fail(v, key, "the front cannot rise");
+
+    thread_local Patch<D> patch;
+    for (double share = 1.0;;) {
+      build_patch(mesh, front, pole, patch);
+      if (scheduler.options_.verify)
+        if (const std::string fault = fault_of(mesh, patch); !fault.empty()) return fail(v, key, fault);
+      Verdict verdict = solve(patch);
+      if (verdict.kind == Verdict::accept) break;
+      if (verdict.kind == Verdict::fail) return fail(v, key, std::move(verdict.what));
+      CLEAVE_ASSERT(verdict.factor > 0.0 && verdict.factor < 1.0, "a lower tent must be lower, and a tent");
+      share *= verdict.factor;
+      if (share < 1e-6) return fail(v, key, "no tent is low enough for the solver");
+      // On the same pole: any point below an admissible top on a vertical pole is admissible, but a displaced
+      // foot point is not; so a tent that was refused stands upright.
+      pole = scheduler.pitcher_.pitch_towards(front, v, end_time, {});
+      pole.top[D] = pole.foot[D] + share * pole.height();
+    }
+    scheduler.pitcher_.commit(front, pole);
+    patches.fetch_add(1, std::memory_order_relaxed);
+
+    if (!diaries.empty()) {
+      Diary& diary = diaries[static_cast<std::size_t>(v)];
+      Diary::Entry entry{pole.foot[D], pole.top[D], 0.0, {}};
+      entry.seen.push_back(static_cast<std::int32_t>(diary.entries.size()));
+      for (const Vertex w : mesh.neighbours(v))
+        entry.seen.push_back(static_cast<std::int32_t>(diaries[static_cast<std::size_t>(w)].entries.size()));
+      entry.duration = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+      diary.entries.push_back(std::move(entry));
+    }
+    return true;
+  }
+
+  bool fail(Vertex v, const Key& key, std::string what) {
+    const std::lock_guard lock(failure_lock);
+    if (failure.ok || key < failed_at) {
+      failed_at = key;
+      failure = {.ok = false,
+                 .vertex = v,
+                 .time = key.time,
+                 .bound = scheduler.pitcher_.sure_gain(front, v),
+                 .what = std::move(what),
+                 .patches = 0};
+      stop_after.store(key.time, std::memory_order_relaxed);
+    }
+    return false;
+  }
+
+  /// The lowest vertex of all is lower than its neighbours: take it, again and again.
+  void serial() {
+    struct Later {
+      bool operator()(const std::pair<Key, Vertex>& a, const std::pair<Key, Vertex>& b) const {
+        return b.first < a.first;
+      }
+    };
+    std::vector<std::pair<Key, Vertex>> heap;
+    for (Vertex v = 0; v < mesh.vertex_count(); ++v)
+      if (front.time[static_cast<std::size_t>(v)] < end_time)
+        heap.emplace_back(scheduler.pitcher_.key(front, v), v);
+    std::make_heap(heap.begin(), heap.end(), Later{});
+    while (!heap.empty()) {
+      std::pop_heap(heap.begin(), heap.end(), Later{});
+      const Vertex v = heap.back().second;
+      heap.pop_back();
+      if (!pitch(v)) return;
+      if (front.time[static_cast<std::size_t>(v)] < end_time) {
+        heap.emplace_back(scheduler.pitcher_.key(front, v), v);
+        std::push_heap(heap.begin(), heap.end(), Later{});
+      }
+    }
+  }
+
+  /// Every edge of the mesh points from its lower to its higher end. `lower[v]` counts the neighbours below
+  /// v; a vertex is ready when it is zero, and pitching it turns its edges over. Only the thread that pitches
+  /// v turns the edges of v, since none of its neighbours is ready then. Releasing the last count of w makes
+  /// everything written around w visible to whoever pitches w.
+  void threaded() {
+    const auto count = static_cast<std::size_t>(mesh.vertex_count());
+    const auto lower = std::make_unique<std::atomic<std::int32_t>[]>(count);
+    std::vector<std::int32_t> seeds;
+    for (Vertex v = 0; v < mesh.vertex_count(); ++v) {
+      const Key key = scheduler.pitcher_.key(front, v);
+      std::int32_t below = 0;
+      for (const Vertex w : mesh.neighbours(v)) below += scheduler.pitcher_.key(front, w) < key;
+      lower[static_cast<std::size_t>(v)].store(below, std::memory_order_relaxed);
+      if (below == 0 && front.time[static_cast<std::size_t>(v)] < end_time) seeds.push_back(v);
+    }
+    base::for_each_fed(seeds, [&](Vertex first, base::Feed& feed) {
+      // Goes on with one of the vertices it made ready: their data are in cache.
+      for (Vertex v = first; v >= 0;) {
+        if (!pitch(v)) return;
+        const Key key = scheduler.pitcher_.key(front, v);
+        thread_local std::vector<Vertex> turned;
+        turned.clear();
+        for (const Vertex w : mesh.neighbours(v))
+          if (scheduler.pitcher_.key(front, w) < key) turned.push_back(w);
+        lower[static_cast<std::size_t>(v)].store(static_cast<std::int32_t>(turned.size()),
+                                                 std::memory_order_relaxed);
+        Vertex next = turned.empty() && front.time[static_cast<std::size_t>(v)] < end_time ? v : -1;
+        for (const Vertex w : turned) {
+          const bool done = front.time[static_cast<std::size_t>(w)] >= end_time;
+          if (lower[static_cast<std::size_t>(w)].fetch_sub(1, std::memory_order_acq_rel) != 1 || done)
+            continue;
+          if (next < 0)
+            next = w;
+          else
+            feed.add(w);
+        }
+        v = next;
+      }
+    });
+  }
+
+  void write(ScheduleRecord& record) const {
+    struct Place {
+      Key key;
+      Vertex v;
+      std::int32_t number;
+    };
+    std::vector<Place> places;
+    std::vector<std::vector<std::int32_t>> at(diaries.size());
+    for (std::size_t v = 0; v < diaries.size(); ++v) {
+      at[v].resize(diaries[v].entries.size());
+      for (std::size_t n = 0; n < at[v].size(); ++n)
+        places.push_back({{diaries[v].entries[n].foot, mesh.rank(static_cast<Vertex>(v))},
+                          static_cast<Vertex>(v),
+                          static_cast<std::int32_t>(n)});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.key < b.key; });
+    for (std::size_t i = 0; i < places.size(); ++i)
+      at[static_cast<std::size_t>(places[i].v)][static_cast<std::size_t>(places[i].number)] =
+          static_cast<std::int32_t>(i);
+    record = {};
+    for (const Place& place : places) {
+      const auto v = static_cast<std::size_t>(place.v);
+      const auto& entry = diaries[v].entries[static_cast<std::size_t>(place.number)];
+      record.tents.push_back({.pole = place.v,
+                              .foot = entry.foot,
+                              .top = entry.top,
+                              .duration = entry.duration,
+                              .first_needed = static_cast<std::int64_t>(record.needed.size())});
+      const std::size_t begin = record.needed.size();
+      const auto need = [&](std::size_t w, std::int32_t seen) {
+        if (seen > 0) record.needed.push_back(at[w][static_cast<std::size_t>(seen - 1)]);
+      };
+      need(v, entry.seen[0]);
+      const auto around = mesh.neighbours(place.v);
+      for (std::size_t k = 0; k < around.size(); ++k)
+        need(static_cast<std::size_t>(around[k]), entry.seen[k + 1]);
+      std::sort(record.needed.begin() + static_cast<std::ptrdiff_t>(begin), record.needed.end());
+    }
+  }
+};
+
+template <int D>
+FrontStatus Scheduler<D>::advance(Front<D>& front, double end_time, const Solve& solve,
+                                  ScheduleRecord* record) {
+  Run run{.scheduler = *this,
+          .mesh = pitcher_.mesh(),
+          .front = front,
+          .end_time = end_time,
+          .solve = solve,
+          .diaries = {},
+          .patches = 0,
+          .failure_lock = {},
+          .failure = {},
+          .failed_at = {},
+          .stop_after = std::numeric_limits<double>::infinity()};
+  if (record) run.diaries.resize(front.time.size());
+  if (base::thread_count() == 1)
+    run.serial();
+  else
+    run.threaded();
+  if (record) run.write(*record);
+  run.failure.patches = run.patches;
+  return run.failure;
+}
+
+template class Scheduler<1>;
+template class Scheduler<2>;
+template class Scheduler<3>;
+
+}  // namespace cleave::discretisation::spacetime

@@ -1,0 +1,191 @@
+#pragma once
+/// Space meshes to pitch tents on: lines, grids, Delaunay meshes of random points, Kuhn cubes; jittered,
+/// squeezed and sheared until angles are bad.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "discretisation/spacetime/mesh.hpp"
+
+namespace cleave::discretisation::spacetime::sample {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double operator()(double low, double high) { return low + (high - low) * (engine_() * 0x1p-32); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+template <int D>
+void one_material(SpaceMeshInput<D>& in, double fastest = 1.0, double slowest = 0.5) {
+  in.material.assign(in.simplex.size(), 0);
+  in.speed = {{.fastest = fastest, .slowest = slowest}};
+}
+
+/// [0, 1] in `count` segments; inner vertices moved by up to `jitter` of a segment.
+inline SpaceMeshInput<1> line(int count, double jitter = 0.0, unsigned seed = 1) {
+  Random random(seed);
+  SpaceMeshInput<1> in;
+  for (int i = 0; i <= count; ++i) {
+    const double by = i > 0 && i < count ? random(-jitter, jitter) : 0.0;
+    in.vertex.push_back({(i + by) / count});
+    if (i > 0) in.simplex.push_back({i - 1, i});
+  }
+  one_material(in, 1.0, 1.0);
+  return in;
+}
+
+/// [0, 1]^2 in count^2 squares of two triangles, diagonals at random (or all alike if jitter is 0).
+inline SpaceMeshInput<2> grid(int count, double jitter = 0.0, unsigned seed = 1) {
+  Random random(seed);
+  SpaceMeshInput<2> in;
+  const auto at = [&](int i, int j) { return static_cast<Vertex>(j * (count + 1) + i); };
+  for (int j = 0; j <= count; ++j)
+    for (int i = 0; i <= count; ++i) {
+      const double a = i > 0 && i < count ? random(-jitter, jitter) : 0.0;
+      const double b = j > 0 && j < count ? random(-jitter, jitter) : 0.0;
+      in.vertex.push_back({(i + a) / count, (j + b) / count});
+    }
+  for (int j = 0; j < count; ++j)
+    for (int i = 0; i < count; ++i) {
+      const Vertex a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      if (jitter == 0.0 || random(0.0, 1.0) < 0.5) {
+        in.simplex.push_back({a, b, c});
+        in.simplex.push_back({a, c, d});
+      } else {
+        in.simplex.push_back({a, b, d});
+        in.simplex.push_back({b, c, d});
+      }
+    }
+  one_material(in);
+  return in;
+}
+
+/// [0, 1]^3 in count^3 cubes of six tetrahedra each (Kuhn).
+inline SpaceMeshInput<3> cube(int count, double jitter = 0.0, unsigned seed = 1) {
+  Random random(seed);
+  SpaceMeshInput<3> in;
+  const auto at = [&](int i, int j, int k) {
+    return static_cast<Vertex>((k * (count + 1) + j) * (count + 1) + i);
+  };
+  for (int k = 0; k <= count; ++k)
+    for (int j = 0; j <= count; ++j)
+      for (int i = 0; i <= count; ++i) {
+        const int n[3] = {i, j, k};
+        Point<3> x;
+        for (std::size_t c = 0; c < 3; ++c)
+          x[c] = (n[c] + (n[c] > 0 && n[c] < count ? random(-jitter, jitter) : 0.0)) / count;
+        in.vertex.push_back(x);
+      }
+  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (int k = 0; k < count; ++k)
+    for (int j = 0; j < count; ++j)
+      for (int i = 0; i < count; ++i)
+        for (int o = 0; o < 6; ++o) {
+          int n[3] = {i, j, k};
+          std::array<Vertex, 4> tet{at(i, j, k)};
+          for (std::size_t s = 0; s < 3; ++s) {
+            ++n[orders[o][s]];
+            tet[s + 1] = at(n[0], n[1], n[2]);
+          }
+          if (o >= 3) std::swap(tet[2], tet[3]);  // odd orders of axes
+          in.simplex.push_back(tet);
+        }
+  one_material(in);
+  return in;
+}
+
+/// Delaunay triangulation of `count` random points in the unit disc and 30 on its rim (Bowyer & Watson 1981).
+inline SpaceMeshInput<2> delaunay(int count, unsigned seed) {
+  Random random(seed);
+  SpaceMeshInput<2> in;
+  auto& x = in.vertex;
+  for (int i = 0; i < 30; ++i)
+    x.push_back({std::cos(i * std::numbers::pi / 15.0), std::sin(i * std::numbers::pi / 15.0)});
+  while (static_cast<int>(x.size()) < 30 + count) {
+    const Point<2> p{random(-1.0, 1.0), random(-1.0, 1.0)};
+    if (norm(p) < 0.97) x.push_back(p);
+  }
+  const auto real = static_cast<Vertex>(x.size());
+  x.push_back({-3e3, -2e3});
+  x.push_back({3e3, -2e3});
+  x.push_back({0.0, 4e3});
+  std::vector<std::array<Vertex, 3>> triangles{{real, real + 1, real + 2}};
+  for (Vertex v = 0; v < real; ++v) {
+    const auto in_circle = [&](const std::array<Vertex, 3>& t) {
+      double m[3][3];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point<2> d = difference(x[static_cast<std::size_t>(t[i])], x[static_cast<std::size_t>(v)]);
+        m[i][0] = d[0], m[i][1] = d[1], m[i][2] = dot(d, d);
+      }
+      return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                 m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                 m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) >
+             0.0;
+    };
+    std::vector<std::array<Vertex, 2>> rim;
+    std::vector<std::array<Vertex, 3>> kept;
+    for (const auto& t : triangles) {
+      if (!in_circle(t)) {
+        kept.push_back(t);
+        continue;
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::array<Vertex, 2> edge{t[i], t[(i + 1) % 3]}, back{edge[1], edge[0]};
+        if (const auto at = std::find(rim.begin(), rim.end(), back); at != rim.end())
+          rim.erase(at);
+        else
+          rim.push_back(edge);
+      }
+    }
+    for (const auto& edge : rim) kept.push_back({edge[0], edge[1], v});
+    triangles = std::move(kept);
+  }
+  for (const auto& t : triangles)
+    if (*std::max_element(t.begin(), t.end()) < real) in.simplex.push_back(t);
+  x.resize(static_cast<std::size_t>(real));
+  one_material(in);
+  return in;
+}
+
+/// x_0 += shear x_last, then x_last *= squeeze: orientation stays, angles go bad.
+template <int D>
+SpaceMeshInput<D> spoiled(SpaceMeshInput<D> in, double squeeze, double shear) {
+  for (auto& x : in.vertex) {
+    x[0] += shear * x[D - 1];
+    x[D - 1] *= squeeze;
+  }
+  return in;
+}
+
+/// Largest angle of any triangle [degrees].
+inline double largest_angle(const SpaceMeshInput<2>& in) {
+  double largest = 0.0;
+  for (const auto& t : in.simplex)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto x = [&](std::size_t k) { return in.vertex[static_cast<std::size_t>(t[(i + k) % 3])]; };
+      const Point<2> a = difference(x(1), x(0)), b = difference(x(2), x(0));
+      largest = std::max(largest, std::acos(dot(a, b) / norm(a) / norm(b)) * 180.0 / std::numbers::pi);
+    }
+  return largest;
+}
+
+/// Two materials: simplices whose first corner lies beyond `split` along x are twice as fast.
+template <int D>
+SpaceMeshInput<D> two_materials(SpaceMeshInput<D> in, double split) {
+  in.speed.push_back({.fastest = 2.0 * in.speed[0].fastest, .slowest = 2.0 * in.speed[0].slowest});
+  for (std::size_t s = 0; s < in.simplex.size(); ++s) {
+    double middle = 0.0;
+    for (const Vertex v : in.simplex[s]) middle += in.vertex[static_cast<std::size_t>(v)][0] / (D + 1);
+    in.material[s] = middle > split;
+  }
+  return in;
+}
+
+}  // namespace cleave::discretisation::spacetime::sample

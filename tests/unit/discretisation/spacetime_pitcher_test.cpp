@@ -1,0 +1,256 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "base/threads.hpp"
+#include "discretisation/spacetime/pitcher.hpp"
+#include "discretisation/spacetime/scheduler.hpp"
+#include "spacetime_meshes.hpp"
+
+namespace cleave::discretisation::spacetime::sample {
+namespace {
+
+/// What a run over a whole slab told.
+struct Account {
+  FrontStatus status;
+  double volume = 0.0;              ///< of all tents
+  double least_gain = 1e30;         ///< least ratio of height to what was sure
+  double least = 1e30, most = 0.0;  ///< heights
+  double strain = 0.0;              ///< largest ratio of a slope to its bound
+  std::int64_t inclined = 0;
+  std::string fault;
+  bool level = true;
+};
+
+/// Pitches from 0 to end_time on one thread and checks every tent.
+template <int D>
+Account pitch_all(const SpaceMesh<D>& mesh, const PitchOptions& options, double end_time) {
+  base::set_thread_count(1);
+  const Pitcher<D> pitcher(mesh, options);
+  Front<D> front = pitcher.level_front(0.0);
+  Account account;
+  Vertex last = -1;
+  const auto check_star = [&] {
+    if (last < 0) return;
+    for (const Simplex s : mesh.star(last))
+      account.strain = std::max(account.strain, pitcher.strain_on_bounds(front, s));
+  };
+  std::int64_t tents = 0;
+  account.status = Scheduler<D>(pitcher).advance(front, end_time, [&](const Patch<D>& patch) -> Verdict {
+    check_star();
+    last = patch.pole;
+    if (++tents > 200000) return {.kind = Verdict::fail, .what = "too many tents"};
+    if (account.fault.empty()) account.fault = fault_of(mesh, patch);
+    for (const auto& element : patch.elements) account.volume += element.volume;
+    const double height = patch.top[D] - patch.foot[D];
+    const double sure = std::min(pitcher.sure_gain(front, patch.pole), 0.5 * (end_time - patch.foot[D]));
+    if (sure > 0.0 && options.smoothing == 0.0)
+      account.least_gain = std::min(account.least_gain, height / sure);
+    account.least = std::min(account.least, height);
+    account.most = std::max(account.most, height);
+    double moved = 0.0;
+    for (std::size_t k = 0; k < D; ++k) moved += std::abs(patch.top[k] - patch.foot[k]);
+    account.inclined += moved > 0.0;
+    return {};
+  });
+  check_star();
+  for (const double t : front.time) account.level &= t == end_time;
+  return account;
+}
+
+template <int D>
+void expect_whole_slab(const SpaceMeshInput<D>& input, PitchOptions options, double end_time,
+                       const char* name) {
+  SpaceMesh<D> mesh;
+  const MeshFault fault = mesh.build(input);
+  ASSERT_TRUE(fault.ok) << name << ": " << fault.what;
+  const Account a = pitch_all(mesh, options, end_time);
+  EXPECT_TRUE(a.status.ok) << name << ": " << a.status.what << " at " << a.status.vertex
+                           << ", t = " << a.status.time;
+  EXPECT_TRUE(a.level) << name;
+  EXPECT_EQ(a.fault, "") << name;
+  const double exact = mesh.volume() * end_time;
+  EXPECT_NEAR(a.volume, exact, 1e-12 * exact) << name;
+  EXPECT_GE(a.least_gain, 1.0 - 1e-9) << name;
+  EXPECT_LE(a.strain, 1.0 + 1e-9) << name;
+  std::printf("%-26s eps %.1f: %7lld tents, least gain / sure %.3f, slope / bound %.6f\n", name, options.eps,
+              static_cast<long long>(a.status.patches), a.least_gain, a.strain);
+}
+
+const char* word(Progress p) {
+  return p == Progress::high_mid ? "high-mid" : p == Progress::subsimplex ? "sub-simplex" : "budget";
+}
+
+TEST(SpacetimePitcher, CausalityLimitIsTheCharacteristicSlope) {
+  Random random(5);
+  for (int trial = 0; trial < 200; ++trial) {
+    Cell<3> cell;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (double& c : cell.corner[i]) c = random(0.0, 1.0);
+      cell.time[i] = random(0.0, 0.05);
+    }
+    std::array<Point<3>, 3> edge;
+    for (std::size_t i = 0; i < 3; ++i) edge[i] = difference(cell.corner[i + 1], cell.corner[0]);
+    const double det = determinant(edge);
+    if (std::abs(det) < 0.05) continue;
+    cell.bound = 1.0;
+    cell.time[2] = rise_limit<3>(cell, 2, Progress::causality, 0.1);
+    // The gradient by Cramer's rule, with the times of the edges as right-hand side.
+    double slope2 = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      auto m = edge;
+      for (std::size_t i = 0; i < 3; ++i) m[i][k] = cell.time[i + 1] - cell.time[0];
+      slope2 += std::pow(determinant(m) / det, 2);
+    }
+    EXPECT_NEAR(slope2, 1.0, 1e-9);
+    EXPECT_NEAR(strain_on_bounds<3>(cell, Progress::causality, 0.1), 1.0, 1e-9);
+  }
+}
+
+TEST(SpacetimePitcher, UniformLineAtTheCharacteristicSlope) {
+  // N vertices, tents 2 h / c high but for the first and last half ones: about N T c / (2 h) of them.
+  SpaceMesh<1> mesh;
+  const int count = 64;
+  ASSERT_TRUE(mesh.build(line(count)).ok);
+  const double h = 1.0 / count, end_time = 40 * h;
+  const Account a = pitch_all(mesh, {.chi = 1.0}, end_time);
+  ASSERT_TRUE(a.status.ok);
+  EXPECT_EQ(a.fault, "");
+  EXPECT_DOUBLE_EQ(a.most, 2.0 * h);
+  EXPECT_DOUBLE_EQ(a.least, h);
+  // Even vertices: half a tent at either end and 19 between; odd ones 20.
+  EXPECT_EQ(a.status.patches, 33 * 21 + 32 * 20);
+  EXPECT_NEAR(static_cast<double>(a.status.patches), (count + 1) * end_time / (2.0 * h),
+              0.5 * (count + 1) + 1);
+  EXPECT_NEAR(a.volume, end_time, 1e-12 * end_time);
+}
+
+TEST(SpacetimePitcher, FrontsNeverStallInOneDimension) {
+  expect_whole_slab<1>(line(50, 0.45), {}, 0.7, "line, jittered");
+  expect_whole_slab<1>(two_materials<1>(line(40, 0.45, 3), 0.5), {.chi = 0.5}, 0.7, "line, two materials");
+}
+
+TEST(SpacetimePitcher, FrontsNeverStallInTwoDimensions) {
+  const auto sliver = spoiled<2>(grid(7, 0.25, 7), 0.25, 1.5);
+  EXPECT_GT(largest_angle(sliver), 165.0);
+  const auto random = delaunay(150, 11);
+  for (const Progress progress : {Progress::high_mid, Progress::subsimplex, Progress::budget})
+    for (const double eps : {0.1, 0.3, 0.5}) {
+      const PitchOptions options{.progress = progress, .eps = eps};
+      const std::string name = word(progress);
+      expect_whole_slab<2>(grid(8), options, 0.5, ("grid, " + name).c_str());
+      expect_whole_slab<2>(random, options, 0.25, ("Delaunay, " + name).c_str());
+      expect_whole_slab<2>(sliver, options, 0.1, ("slivers, " + name).c_str());
+      expect_whole_slab<2>(two_materials<2>(grid(8, 0.3, 2), 0.5), options, 0.25,
+                           ("two materials, " + name).c_str());
+    }
+}
+
+TEST(SpacetimePitcher, FrontsNeverStallInThreeDimensions) {
+  for (const double eps : {0.1, 0.3, 0.5}) {
+    const PitchOptions options{.eps = eps};
+    expect_whole_slab<3>(cube(3), options, 0.3, "cube");
+    expect_whole_slab<3>(cube(3, 0.18, 4), options, 0.3, "cube, jittered");
+    expect_whole_slab<3>(spoiled<3>(cube(3, 0.15, 9), 0.3, 0.8), options, 0.04, "cube, slivers");
+  }
+}
+
+TEST(SpacetimePitcher, CausalityAloneStalls) {
+  int stalled = 0;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SpaceMesh<2> mesh;
+    ASSERT_TRUE(mesh.build(delaunay(150, seed)).ok);
+    const Account a = pitch_all(mesh, {.progress = Progress::causality}, 1.0);
+    stalled += !a.status.ok;
+    EXPECT_EQ(a.fault, "");
+  }
+  EXPECT_EQ(stalled, 5);
+}
+
+TEST(SpacetimePitcher, EndsWithoutSlivers) {
+  SpaceMesh<2> mesh;
+  ASSERT_TRUE(mesh.build(grid(6)).ok);
+  const Account whole = pitch_all(mesh, {}, 1.0);
+  for (int i = 0; i < 20; ++i) {
+    const Account a = pitch_all(mesh, {}, 0.3 + 0.013 * i);
+    EXPECT_TRUE(a.level);
+    EXPECT_GT(a.least, 0.25 * whole.least);
+  }
+}
+
+TEST(SpacetimePitcher, CapsAndFactorsLowerTents) {
+  SpaceMesh<2> mesh;
+  ASSERT_TRUE(mesh.build(grid(6)).ok);
+  EXPECT_LE(pitch_all(mesh, {.height_cap = 0.01}, 0.2).most, 0.01 * (1.0 + 1e-12));
+  const Account full = pitch_all(mesh, {}, 0.5), lower = pitch_all(mesh, {.height_factor = 0.8}, 0.5);
+  EXPECT_TRUE(lower.level);
+  EXPECT_GT(lower.status.patches, full.status.patches);
+}
+
+TEST(SpacetimePitcher, InclinedPolesSmoothTheMesh) {
+  const auto input = grid(10, 0.4, 3);
+  SpaceMesh<2> mesh;
+  ASSERT_TRUE(mesh.build(input).ok);
+  for (const Progress progress : {Progress::high_mid, Progress::subsimplex, Progress::budget}) {
+    const Account a = pitch_all(mesh, {.progress = progress, .smoothing = 0.2}, 0.4);
+    EXPECT_TRUE(a.status.ok && a.level) << a.status.what;
+    EXPECT_EQ(a.fault, "");
+    EXPECT_NEAR(a.volume, 0.4, 4e-13);
+    EXPECT_LE(a.strain, 1.0 + 1e-9);
+    const double share = static_cast<double>(a.inclined) / static_cast<double>(a.status.patches);
+    std::printf("inclined, %s: %.0f %% of %lld tents\n", word(progress), 100.0 * share,
+                static_cast<long long>(a.status.patches));
+    EXPECT_GE(share, 0.6);
+  }
+  SpaceMesh<3> solid;
+  ASSERT_TRUE(solid.build(cube(4, 0.18, 4)).ok);
+  const Account a = pitch_all(solid, {.smoothing = 0.3}, 0.2);
+  EXPECT_TRUE(a.status.ok && a.level);
+  EXPECT_EQ(a.fault, "");
+  EXPECT_NEAR(a.volume, 0.2, 2e-13);
+  EXPECT_GT(a.inclined, 0);
+  SpaceMesh<1> bar;
+  ASSERT_TRUE(bar.build(two_materials<1>(line(30, 0.4), 0.5)).ok);
+  const Account b = pitch_all(bar, {.smoothing = 0.5}, 0.5);
+  EXPECT_TRUE(b.status.ok && b.level);
+  EXPECT_EQ(b.fault, "");
+  EXPECT_NEAR(b.volume, 0.5, 5e-13);
+  EXPECT_GT(b.inclined, 0);
+}
+
+TEST(SpacetimePitcher, MovedVerticesStayOnBoundariesAndInterfaces) {
+  auto input = two_materials<2>(grid(8, 0.3, 3), 0.5);
+  for (std::size_t v = 0; v < input.vertex.size(); ++v)  // a straight interface at the middle column
+    if (v % 9 == 4) input.vertex[v][0] = 0.5;
+  for (std::size_t s = 0; s < input.simplex.size(); ++s) input.material[s] = (s / 2) % 8 >= 4;
+  SpaceMesh<2> mesh;
+  ASSERT_TRUE(mesh.build(input).ok);
+  base::set_thread_count(1);
+  const Pitcher<2> pitcher(mesh, {.smoothing = 0.3});
+  Front<2> front = pitcher.level_front(0.0);
+  ASSERT_TRUE(Scheduler<2>(pitcher).advance(front, 0.5, [](const Patch<2>&) { return Verdict{}; }).ok);
+  int along = 0;
+  for (std::size_t v = 0; v < front.position.size(); ++v) {
+    const Point<2>&before = input.vertex[v], &after = front.position[v];
+    const bool side = v % 9 == 0 || v % 9 == 8, end = v / 9 == 0 || v / 9 == 8, seam = v % 9 == 4;
+    EXPECT_DOUBLE_EQ(after[0], side || seam ? before[0] : after[0]);
+    EXPECT_DOUBLE_EQ(after[1], end ? before[1] : after[1]);
+    along += (side != end || seam) && distance(before, after) > 1e-3;
+  }
+  EXPECT_GT(along, 10);
+}
+
+TEST(SpacetimePitcher, RefusesOptionsWithoutMeaning) {
+  EXPECT_EQ(complaint<2>({}), "");
+  EXPECT_NE(complaint<2>({.chi = 0.0}), "");
+  EXPECT_NE(complaint<2>({.chi = 1.1}), "");
+  EXPECT_NE(complaint<2>({.eps = 0.6}), "");
+  EXPECT_NE(complaint<2>({.height_factor = 0.0}), "");
+  EXPECT_NE(complaint<2>({.height_cap = -1.0}), "");
+  EXPECT_NE(complaint<3>({.progress = Progress::budget}), "");
+  EXPECT_NE(complaint<1>({.progress = Progress::high_mid}), "");
+  EXPECT_NE(complaint<2>({.smoothing = 2.0}), "");
+}
+
+}  // namespace
+}  // namespace cleave::discretisation::spacetime::sample
