@@ -61,8 +61,8 @@ struct Scheduler<D>::Run {
       CLEAVE_ASSERT(verdict.factor > 0.0 && verdict.factor < 1.0, "a lower tent must be lower, and a tent");
       share *= verdict.factor;
       if (share < 1e-6) return fail(v, key, "no tent is low enough for the solver");
-      // On the same pole: any point below an admissible top on a vertical pole is admissible, but a displaced
-      // foot point is not; so a tent that was refused stands upright.
+      // Every point below an admissible top of a vertical pole is admissible; of an inclined pole it need not
+      // be. So a tent that was refused stands upright.
       pole = scheduler.pitcher_.pitch_towards(front, v, end_time, {});
       pole.top[D] = pole.foot[D] + share * pole.height();
     }

@@ -25,8 +25,8 @@ struct Verdict {
     fail     ///< nothing committed: stop
   };
   Kind kind = accept;
-  double factor = 0.5;  ///< in (0, 1)
-  std::string what;     ///< why it failed
+  double factor = 0.5;    ///< in (0, 1)
+  std::string what = {};  ///< why it failed
 };
 
 /// How an advance ended.

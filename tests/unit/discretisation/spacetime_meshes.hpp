@@ -106,8 +106,10 @@ inline SpaceMeshInput<2> delaunay(int count, unsigned seed) {
   Random random(seed);
   SpaceMeshInput<2> in;
   auto& x = in.vertex;
-  for (int i = 0; i < 30; ++i)
-    x.push_back({std::cos(i * std::numbers::pi / 15.0), std::sin(i * std::numbers::pi / 15.0)});
+  for (int i = 0; i < 30; ++i) {  // not on one circle: the insertion would have to break ties
+    const double r = random(1.0, 1.02), angle = i * std::numbers::pi / 15.0;
+    x.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
   while (static_cast<int>(x.size()) < 30 + count) {
     const Point<2> p{random(-1.0, 1.0), random(-1.0, 1.0)};
     if (norm(p) < 0.97) x.push_back(p);
