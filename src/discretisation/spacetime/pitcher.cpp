@@ -120,7 +120,18 @@ Pole<D> Pitcher<D>::pitch_towards(const Front<D>& front, Vertex v, double end_ti
   Pole<D> pole{.vertex = v, .foot = front.event(v), .top = front.event(v), .inclined = false};
   pole.top[D] = top_time(pole.foot[D], limit(front, v), end_time);
   const double height = pole.height();
-  if (!(height > 0.0)) return pole;
+  // What rounding leaves of a stalled vertex is no tent.
+  double crossing = std::numeric_limits<double>::infinity();  // time of a wave to the nearest neighbour
+  for (const Simplex s : mesh_.star(v))
+    for (const Vertex w : mesh_.simplex(s))
+      if (w != v)
+        crossing = std::min(crossing, distance(front.position[static_cast<std::size_t>(v)],
+                                               front.position[static_cast<std::size_t>(w)]) /
+                                          mesh_.speed(s).fastest);
+  if (!(height > 1e-12 * crossing)) {
+    if (!(pole.top[D] == end_time && height > 0.0)) pole.top[D] = pole.foot[D];
+    return pole;
+  }
 
   mesh_.keep_on_boundary(v, displacement);
   if (norm(displacement) == 0.0) return pole;

@@ -54,7 +54,7 @@ class Pitcher {
   /// The tent at v, which must be lowest among its neighbours and earlier than end_time. Its top is end_time
   /// exactly, or far enough from it to leave room for another tent of fair height. The pole is inclined if
   /// options().smoothing asks for it and all checks pass, at full or at 1/2 .. 1/16 of the displacement; else
-  /// vertical. A result with height() <= 0 is a stall, which the progress constraints exclude.
+  /// vertical. A result with height() 0 is a stall, which the progress constraints exclude.
   Pole<D> pitch(const Front<D>& front, Vertex v, double end_time) const;
   /// As above with the wanted displacement of the pole's top given [length].
   Pole<D> pitch_towards(const Front<D>& front, Vertex v, double end_time, Point<D> displacement) const;

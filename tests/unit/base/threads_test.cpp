@@ -30,6 +30,22 @@ TEST(Threads, RangesCoverAllAndDoNotDependOnThreads) {
   }
 }
 
+TEST(Threads, FedItemsRunOnceAndSeeWhatFedThem) {
+  // A binary tree of items, each fed by its parent, whose plain write the child must see.
+  for (int threads : {1, 2, 3, 7}) {
+    set_thread_count(threads);
+    std::vector<int> visits(1000, 0);
+    for_each_fed({1}, [&](std::int32_t item, Feed& feed) {
+      const auto i = static_cast<std::size_t>(item);
+      visits[i] = i == 1 ? 1 : visits[i / 2] + 1;
+      for (std::int32_t child = 2 * item; child < 2 * item + 2; ++child)
+        if (child < 1000) feed.add(child);
+    });
+    for (std::size_t i = 1; i < visits.size(); ++i) EXPECT_EQ(visits[i], i == 1 ? 1 : visits[i / 2] + 1);
+    for_each_fed({}, [&](std::int32_t, Feed&) { ADD_FAILURE(); });
+  }
+}
+
 TEST(Threads, NestedLoopsAndEmptyLoopsAreFine) {
   set_thread_count(2);
   std::atomic<int> count{0};
