@@ -59,17 +59,13 @@ def _volume(mesh, nodes):
     return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6
 
 
-def crossed(hexes, counts):
-    """The hexahedra of a block with every second one mirrored along each axis: cut into tetrahedra their diagonals
-    run crosswise, so the mesh favours no direction. Half of the hexahedra are left-handed; only to be cut."""
-    mirrored = ((1, 0, 3, 2, 5, 4, 7, 6), (3, 2, 1, 0, 7, 6, 5, 4), (4, 5, 6, 7, 0, 1, 2, 3))
+def mirrored(hexes):
+    """The same hexahedra with their node order mirrored, so that the diagonals of a split run the other way. They are
+    left-handed: only to be cut into tetrahedra."""
     mesh = Mesh()
     mesh.nodes, mesh._at = list(hexes.nodes), dict(hexes._at)
-    for place, (part, nodes) in zip(itertools.product(*map(range, reversed(counts))), hexes.elements):
-        for number, image in zip(reversed(place), mirrored):
-            if number % 2:
-                nodes = [nodes[a] for a in image]
-        mesh.element(part, nodes)
+    for part, nodes in hexes.elements:
+        mesh.element(part, [nodes[a] for a in (1, 0, 3, 2, 5, 4, 7, 6)])
     return mesh
 
 
