@@ -30,7 +30,7 @@ struct Reading {
 /// Reads the deck and builds the model. Diagnostics are collected, not printed.
 Reading read_deck(const Options& options);
 
-/// Prints the diagnostics to standard error, coloured on a terminal; errors last line: how many.
+/// Prints the diagnostics to standard error, coloured on a terminal; their number comes last.
 void print_diagnostics(const Reading& reading);
 
 }  // namespace cleave::app

@@ -10,6 +10,12 @@ Reading read_deck(const Options& options) {
   Reading reading;
   reading.deck =
       deck::Deck::read(options.input, {.include_paths = options.include_paths}, reading.diagnostics);
+  if (reading.deck->blocks().empty()) {  // one plain error in place of all that an empty model lacks
+    if (!reading.failed())
+      reading.diagnostics.error({}, {}, {}, "there is no keyword in '" + options.input.string() + "'",
+                                "is it a keyword deck? Its first line should be *KEYWORD");
+    return reading;
+  }
   reading.model = model::build(*reading.deck, {.allow_unsupported = options.allow_unsupported},
                                reading.diagnostics, reading.account);
   if (options.end_time > 0.0) reading.model.control.end.time = options.end_time;
@@ -17,15 +23,10 @@ Reading read_deck(const Options& options) {
 }
 
 void print_diagnostics(const Reading& reading) {
-  using deck::Severity;
   const bool colour = isatty(STDERR_FILENO);
   const std::string text = reading.diagnostics.render(reading.deck->sources(), colour);
   std::fputs(text.c_str(), stderr);
-  const auto count = [&](Severity severity) { return reading.diagnostics.count(severity); };
-  if (reading.failed())
-    std::fprintf(stderr, "cleave: %zu error%s and %zu warning%s; the deck was not accepted\n",
-                 count(Severity::error), count(Severity::error) == 1 ? "" : "s", count(Severity::warning),
-                 count(Severity::warning) == 1 ? "" : "s");
+  if (reading.failed()) std::fputs("cleave: the deck was not accepted\n", stderr);
 }
 
 }  // namespace cleave::app

@@ -21,7 +21,10 @@ void on_signal(int number) {
     std::signal(number, SIG_DFL);
     std::raise(number);
   }
-  if (solver::Wishes* wishes = listening.load()) wishes->stop = true;
+  if (solver::Wishes* wishes = listening.load()) {
+    wishes->signal = true;
+    wishes->stop = true;
+  }
 }
 
 constexpr int poll_interval = 200;  // [ms]: soon enough for a person, nothing for the machine

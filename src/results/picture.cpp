@@ -235,11 +235,15 @@ std::string write_picture(const PictureModel& model, const PictureOptions& optio
       drawing.range, unit);
 
   const std::filesystem::path partial = file.string() + std::string(unfinished_suffix);
-  if (const std::string problem = paper.write(partial); !problem.empty())
-    return "cannot write " + file.string() + ": " + problem;
+  std::string problem = paper.write(partial);
   std::error_code error;
-  std::filesystem::rename(partial, file, error);
-  return error ? "cannot write " + file.string() + ": " + error.message() : "";
+  if (problem.empty()) {
+    std::filesystem::rename(partial, file, error);
+    if (error) problem = error.message();
+  }
+  if (problem.empty()) return {};
+  std::filesystem::remove(partial, error);  // a full disk leaves no half picture
+  return "cannot write " + file.string() + ": " + problem;
 }
 
 }  // namespace cleave::results

@@ -77,7 +77,9 @@ class Output {
   void array(const char* name, const double* values, std::size_t count) {
     const hsize_t extent = count;
     const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose);
-    Handle data(H5Dcreate2(group_, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation, false);  // equal states give equal files, whenever they were written
+    Handle data(H5Dcreate2(group_, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
                 H5Dclose);
     check(data.good() &&
           (count == 0 || H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0));

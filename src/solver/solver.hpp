@@ -50,6 +50,7 @@ enum class Ending {
 /// take (clear) those.
 struct Wishes {
   std::atomic<bool> stop{false};     ///< sw1, SIGINT, SIGTERM: write a restart and end
+  std::atomic<bool> signal{false};   ///< the stop came from a signal; set before `stop`
   std::atomic<bool> report{false};   ///< sw2: time and cycle numbers, go on
   std::atomic<bool> restart{false};  ///< sw3: write a restart, go on
   std::atomic<bool> field{false};    ///< sw4: write a field frame, go on

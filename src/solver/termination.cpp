@@ -64,7 +64,8 @@ std::optional<Ending> reason_to_end(const model::Model& model, const State& stat
   }
   for (const auto& bound : end.nodes)
     if (out_of_bounds(bound, state)) return Ending::node_bound;
-  if (wishes.stop.load(std::memory_order_relaxed)) return Ending::switched_off;
+  if (wishes.stop.load(std::memory_order_acquire))
+    return wishes.signal.load(std::memory_order_relaxed) ? Ending::signal : Ending::switched_off;
   return std::nullopt;
 }
 

@@ -127,20 +127,25 @@ TEST(Termination, StopsAtTheFirstTimeNotBeforeTheEnd) {
   EXPECT_EQ(rig.state.cycle, 11);
 }
 
+// The end says who asked for it: a switch, or a signal.
 TEST(Termination, WishToStop) {
-  Pair rig;
-  rig.initialise();
-  rig.model.control.end.time = 1e9;
-  Wishes wishes;
-  Watch watch([&](const Frame& frame) {
-    if (frame.state.cycle == 7) wishes.stop = true;
-  });
-  Observer* const observers[] = {&watch};
-  const Outcome outcome =
-      make_explicit(rig.world, {}, rig.diagnostics)->advance(rig.state, observers, wishes);
-  EXPECT_EQ(outcome.ending, Ending::switched_off);
-  EXPECT_EQ(rig.state.cycle, 7);
-  EXPECT_EQ(watch.last_cycle, 7);
+  for (const bool signal : {false, true}) {
+    Pair rig;
+    rig.initialise();
+    rig.model.control.end.time = 1e9;
+    Wishes wishes;
+    Watch watch([&](const Frame& frame) {
+      if (frame.state.cycle < 7) return;
+      wishes.signal = signal;
+      wishes.stop = true;
+    });
+    Observer* const observers[] = {&watch};
+    const Outcome outcome =
+        make_explicit(rig.world, {}, rig.diagnostics)->advance(rig.state, observers, wishes);
+    EXPECT_EQ(outcome.ending, signal ? Ending::signal : Ending::switched_off);
+    EXPECT_EQ(rig.state.cycle, 7);
+    EXPECT_EQ(watch.last_cycle, 7);
+  }
 }
 
 // Physics that fails names the element, and observers get a last frame.
