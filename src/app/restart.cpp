@@ -7,7 +7,8 @@
 
 namespace cleave::app {
 
-/// The deck is read again from where the restart file says it was; its text must not have changed.
+/// The deck is read again from where the restart file says it was; its text must not have changed. What the
+/// command line said about it holds on, but for an end time given now.
 int restart(const Options& asked) {
   base::set_thread_count(asked.threads);
   const bool is_folder = std::filesystem::is_directory(asked.input);
@@ -21,6 +22,9 @@ int restart(const Options& asked) {
 
   Options options = asked;
   options.input = saved.origin.deck;
+  options.include_paths = saved.origin.include_paths;
+  options.allow_unsupported = saved.origin.allow_unsupported;
+  if (options.end_time < 0.0) options.end_time = saved.origin.end_time;
   Reading reading = read_deck(options);
   print_diagnostics(reading);
   if (reading.failed()) return bad_deck;

@@ -32,12 +32,18 @@ int simulate(const Simulation& simulation, discretisation::State& state) {
   std::fputs(objections.c_str(), stderr);
   if (diagnostics.failed()) return bad_deck;
 
+  std::vector<std::filesystem::path> include_paths;  // whole: a restart may start from another folder
+  for (const auto& path : options.include_paths) include_paths.push_back(std::filesystem::absolute(path));
+
   solver::Wishes wishes;
   results::Recorder recorder(reading.model,
                              {.directory = simulation.directory,
                               .version = version,
                               .deck = std::filesystem::absolute(options.input).lexically_normal(),
                               .deck_fingerprint = simulation.deck_fingerprint,
+                              .include_paths = include_paths,
+                              .allow_unsupported = options.allow_unsupported,
+                              .end_time = options.end_time,
                               .progress = !options.quiet,
                               .wishes = &wishes,
                               .account = &reading.account,

@@ -99,8 +99,13 @@ void Recorder::write_restart(const solver::Frame& frame, const std::string& name
   };
   add("summary", summary_.remember());
   for (const auto& [writer_name, writer] : writers_) add(writer_name, writer->remember());
-  const RestartOrigin origin{options_.deck.string(), options_.deck_fingerprint, options_.version,
-                             context_.model.title};
+  const RestartOrigin origin{.deck = options_.deck.string(),
+                             .fingerprint = options_.deck_fingerprint,
+                             .version = options_.version,
+                             .title = context_.model.title,
+                             .include_paths = options_.include_paths,
+                             .allow_unsupported = options_.allow_unsupported,
+                             .end_time = options_.end_time};
   const auto path = options_.directory / name;
   const std::string reason = results::write_restart(path, frame.state, origin, observers);
   trouble_.note(path, reason);

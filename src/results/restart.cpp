@@ -8,6 +8,7 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <sstream>
 
 #include "results/files.hpp"
 #include "results/text.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using discretisation::State;
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 static_assert(std::endian::native == std::endian::little, "the files hold little-endian numbers");
 
 /// An HDF5 identifier with its way of closing.
@@ -278,6 +279,11 @@ std::string write_file(const std::filesystem::path& path, const State& state, co
   out.text("deck_fingerprint", origin.fingerprint);
   out.text("version", origin.version);
   out.text("title", origin.title);
+  std::string paths;
+  for (const auto& include : origin.include_paths) paths += include.string() + '\n';
+  out.text("include_paths", paths);
+  out.integer("allow_unsupported", origin.allow_unsupported);
+  out.real("end_time", origin.end_time);
   write_state(out, state, memories);
   out.check(file.close());
   return out.error();
@@ -346,13 +352,20 @@ Restart read_restart(const std::filesystem::path& path) {
     return restart;
   }
   const std::int64_t version = in.integer("format_version");
-  restart.origin = {in.text("deck"), in.text("deck_fingerprint"), in.text("version"), in.text("title")};
+  RestartOrigin& origin = restart.origin;
+  origin.deck = in.text("deck");
+  origin.fingerprint = in.text("deck_fingerprint");
+  origin.version = in.text("version");
+  origin.title = in.text("title");
   if (version != format_version) {
     restart.error = start + "its format is version " + std::to_string(version) + " (cleave " +
-                    restart.origin.version + "), this program reads version " +
-                    std::to_string(format_version);
+                    origin.version + "), this program reads version " + std::to_string(format_version);
     return restart;
   }
+  std::istringstream paths(in.text("include_paths"));
+  for (std::string line; std::getline(paths, line);) origin.include_paths.emplace_back(line);
+  origin.allow_unsupported = in.integer("allow_unsupported") != 0;
+  origin.end_time = in.real("end_time");
   read_state(in, restart.state);
   if (!in.error().empty()) restart.error = start + in.error();
   return restart;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "deck/deck.hpp"
 #include "discretisation/world.hpp"
@@ -16,6 +17,10 @@ struct RestartOrigin {
   std::string fingerprint;  ///< of the deck's text
   std::string version;      ///< of the program that wrote it
   std::string title;
+  // What the command line said about the deck, so that the same model is built again.
+  std::vector<std::filesystem::path> include_paths;  ///< absolute
+  bool allow_unsupported = false;
+  double end_time = -1.0;  ///< in place of ENDTIM; negative: none was given [time]
 };
 
 /// A number over the text of every file of a deck, as hexadecimal digits (FNV-1a, 64 bit).

@@ -15,12 +15,15 @@ namespace cleave::results {
 
 /// What the run directory is told at the start.
 struct Options {
-  std::filesystem::path directory;   ///< created when missing
-  std::string version;               ///< of the program
-  std::filesystem::path deck;        ///< main file, for logs and the restart file
-  std::string deck_fingerprint;      ///< of all its text, see fingerprint() in restart.hpp
-  bool double_fields = false;        ///< field files in float64 instead of float32
-  bool progress = true;              ///< a progress line on stderr when that is a terminal
+  std::filesystem::path directory;                   ///< created when missing
+  std::string version;                               ///< of the program
+  std::filesystem::path deck;                        ///< main file, for logs and the restart file
+  std::string deck_fingerprint;                      ///< of all its text, see fingerprint() in restart.hpp
+  std::vector<std::filesystem::path> include_paths;  ///< as given beside the deck; a restart needs them
+  bool allow_unsupported = false;                    ///< as given
+  double end_time = -1.0;                            ///< as given in place of ENDTIM; negative: not [time]
+  bool double_fields = false;                        ///< field files in float64 instead of float32
+  bool progress = true;                              ///< a progress line on stderr when that is a terminal
   solver::Wishes* wishes = nullptr;  ///< sense switches served here; also stopped when the disk is full
   const model::Account* account = nullptr;
   std::string deck_messages;  ///< diagnostics of the deck as text, for the log

@@ -89,6 +89,22 @@ class Stopped(Case):
         self.assertGreater(len(list((run / "result").glob("*.vtu"))), frames)
         self.assert_whole(run)
 
+    def test_a_restart_keeps_what_the_command_line_said_of_the_deck(self):
+        inner = self.folder / "mesh"
+        inner.mkdir()
+        text = bar((1, 1, 9), end=1e-4)
+        head, mesh = text.split("*NODE\n")
+        (inner / "mesh.k").write_text("*NODE\n" + mesh)
+        self.write("bar.k", head + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n\n\n\n*INCLUDE\nmesh.k\n*END\n")
+        words = ["-q", "-I", "mesh", "--allow-unsupported", "--end-time", "2e-5"]
+        self.cleave("run", "bar.k", "-o", "whole", *words)
+        self.cleave("run", "bar.k", "-o", "parts", *words, "--stop-at-cycle", 3)
+        self.cleave("restart", "parts", "-q")
+        self.assert_same(self.folder / "whole", self.folder / "parts")
+        self.assertLess(self.summary(self.folder / "parts")["final_time"], 2.5e-5)
+        self.cleave("restart", "parts", "-q", "--end-time", "3e-5")
+        self.assertGreater(self.summary(self.folder / "parts")["final_time"], 2.9e-5)
+
     def test_stop_at_a_cycle(self):
         whole = self.whole_run()
         run = self.folder / "by_cycle"

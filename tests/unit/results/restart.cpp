@@ -36,7 +36,9 @@ class RestartFile : public testing::Test {
     run.state.parts[1].eroded_kinetic = 0.7;
     run.state.energy.initial = 1.0e-17;
   }
-  std::string write() { return write_restart(path, run.state, {"bricks.k", "00ff", "0.1.0", "two bricks"}); }
+  std::string write() { return write_restart(path, run.state, origin); }
+
+  const RestartOrigin origin{"bricks.k", "00ff", "0.1.0", "two bricks", {"/mesh", "/my parts"}, true, 0.25};
 
   SmallRun run;
   std::filesystem::path path;
@@ -68,6 +70,9 @@ TEST_F(RestartFile, GivesBackEveryBit) {
   EXPECT_EQ(b.memory[1].name, "nothing");
   EXPECT_TRUE(b.memory[1].values.empty());
   EXPECT_EQ(back.origin.deck, "bricks.k");
+  EXPECT_EQ(back.origin.include_paths, origin.include_paths);
+  EXPECT_TRUE(back.origin.allow_unsupported);
+  EXPECT_EQ(back.origin.end_time, 0.25);
   EXPECT_EQ(misfit(back, run.world, "00ff"), "");
 }
 
