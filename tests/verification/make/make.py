@@ -386,6 +386,65 @@ def cook_nodal_pressure():
     return cook("cook_nodal_pressure", 13, lambda m: tetrahedra(mirrored(m)), 16, 7.695e-3, 0.06)
 
 
+def bending_beam(name, form, split, cells, tolerance):
+    """Catalogue B01 in plane strain with nu = 0.4999: a cantilever under a parabolic end shear, clamped with the exact
+    displacements, so that the exact solution holds everywhere."""
+    length, depth, load, young, poisson = 48.0, 12.0, 1000.0, 3.0e7, 0.4999
+    modulus, ratio = young / (1 - poisson ** 2), poisson / (1 - poisson)    # plane strain as plane stress
+    inertia, half = depth ** 3 / 12, depth / 2
+    tip = load / (6 * modulus * inertia) * ((4 + 5 * ratio) * depth ** 2 * length / 4 + 2 * length ** 3)
+    deck = Deck(name, "Cantilever under end shear, nearly incompressible")
+    deck.says("case", f"bending of a nearly incompressible beam, plane strain, {cells[0]} x {cells[1]} cells, ELFORM {form}")
+    deck.says("source", "closed form, Timoshenko & Goodier, Theory of Elasticity, art. 21; catalogue B01")
+    deck.says("expect", f"y_displacement node={{tip}}  {-tip:.6g}  rel={tolerance} (order)")
+    deck.says("slow", "")
+    end = 0.3
+    common(deck, end)
+    mesh = split(hexahedra((*cells, 1), lambda i, j, k: (
+        length * i / cells[0], depth * j / cells[1] - half, 1.5 * k)))
+    node = mesh.where(lambda x, y, z: x == length and abs(y) < 1e-9 and z == 0)[0]
+    deck.head = [line.format(tip=node) for line in deck.head]
+    histories(deck, end, [node])
+    deck.card("SECTION_SOLID", [1, form])
+    deck.part(1, 1, 1)
+    elastic(deck, 1, 1.0, young, poisson)
+    plane(deck, mesh)
+    settle(deck, 66.0)
+    deck.curve(1, [(0, 1), (1000, 1)])
+    deck.curve(2, [(0, 0), (1000, 0)])
+    rows = []
+    for n in mesh.where(lambda x, y, z: x == 0):
+        y = mesh.nodes[n - 1][1]
+        exact = (load * y / (6 * modulus * inertia) * (2 + ratio) * (y * y - half * half),
+                 -load / (6 * modulus * inertia) * 3 * ratio * y * y * length)
+        rows += [[n, i + 1, 2, 1 if v else 2, v or 1.0] for i, v in enumerate(exact)]
+    deck.card("BOUNDARY_PRESCRIBED_MOTION_NODE", *rows, wide=True)
+    # End shear P (h^2 - y^2) / 2I over the depth and the thickness, lumped to the nodes by exact integrals.
+    step, rows = depth / cells[1], []
+    for n in mesh.where(lambda x, y, z: x == length):
+        y = mesh.nodes[n - 1][1]
+        part = 0.0
+        for a, b in ((max(y - step, -half), y), (y, min(y + step, half))):
+            for g in (-math.sqrt(0.6), 0.0, math.sqrt(0.6)):
+                at = (a + b) / 2 + g * (b - a) / 2
+                weight = (8 if g == 0 else 5) / 18 * (b - a)
+                part += weight * (1 - abs(at - y) / step) * load / (2 * inertia) * (half * half - at * at)
+        rows.append([n, 2, 1, -0.75 * part])     # half the thickness of 1.5 belongs to each of two nodes
+    deck.card("LOAD_NODE_POINT", *rows)
+    deck.mesh(mesh)
+    return deck
+
+
+@case
+def bending_beam_selective():
+    return bending_beam("bending_beam_selective", 2, lambda m: m, (24, 6), 0.01)
+
+
+@case
+def bending_beam_nodal_pressure():
+    return bending_beam("bending_beam_nodal_pressure", 13, tetrahedra, (32, 8), 0.06)
+
+
 def sector(cells, around, inner, outer, depth, angle=math.pi / 2, grade=1.0):
     """A sector of a thick tube; radii grow by `grade` from cell to cell."""
     steps = [grade ** i for i in range(cells)]
