@@ -1,0 +1,60 @@
+#pragma once
+/// Small dense algebra of the patch solver: row-major blocks whose rows are padded to whole lanes.
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace cleave::discretisation::spacetime {
+
+/// `n` rounded up to whole lanes.
+constexpr int padded(int n) {
+  return (n + 7) / 8 * 8;
+}
+
+/// Scratch memory that is handed out piece by piece and taken back all at once. After the first patches of
+/// the largest size it asks the system for nothing.
+class Arena {
+ public:
+  /// `count` doubles on a 64-byte boundary, all zero.
+  double* take(std::size_t count);
+  void release();  ///< all of it
+  std::size_t capacity() const { return capacity_; }
+
+ private:
+  struct Free {
+    void operator()(double* p) const;
+  };
+  using Chunk = std::unique_ptr<double[], Free>;
+  std::vector<Chunk> chunks_;
+  std::size_t used_ = 0, room_ = 0, capacity_ = 0;
+};
+
+/// A matrix inside an arena. Row i starts at data + i * stride; columns from `columns` to `stride` are zero.
+struct Block {
+  double* data = nullptr;
+  int rows = 0, columns = 0, stride = 0;
+  double* row(int i) const { return data + static_cast<std::ptrdiff_t>(i) * stride; }
+};
+Block take(Arena& arena, int rows, int columns);
+
+/// c += sign a b.
+void multiply_add(double sign, const Block& a, const Block& b, const Block& c);
+/// c += a^T b.
+void multiply_transposed_add(const Block& a, const Block& b, const Block& c);
+
+/// LU with partial pivoting in place. False if a pivot vanishes. @param pivot [rows]
+bool factor(const Block& a, int* pivot);
+/// b <- a^-1 b for a factored a.
+void solve(const Block& a, const int* pivot, const Block& b);
+/// Upper Cholesky factor U, a = U^T U, in the upper triangle; the lower one is zeroed. False if a is not
+/// positive definite to working precision.
+bool cholesky(const Block& a);
+/// out = U^-1 for an upper triangle U; out is zero on entry.
+void invert_upper(const Block& u, const Block& out);
+
+/// Eigenvalues and vectors of a symmetric matrix of at most 9 rows, Jacobi's method.
+/// @param a [n][n], destroyed; @param vector [n][n], column k belongs to value[k]
+void symmetric_eigen(int n, double* a, double* value, double* vector);
+
+}  // namespace cleave::discretisation::spacetime

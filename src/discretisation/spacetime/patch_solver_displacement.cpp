@@ -1,0 +1,182 @@
+// The displacement: it follows velocity and strain, element by element.
+#include <algorithm>
+#include <cmath>
+
+#include "discretisation/spacetime/basis.hpp"
+#include "discretisation/spacetime/patch_solver.hpp"
+
+namespace cleave::discretisation::spacetime {
+
+template <int D>
+void PatchSolver<D>::displacements(const Patch<D>& patch, std::span<const Solution<D>* const> older,
+                                   std::span<Solution<D>> out) {
+  for (int e = 0; e < count_; ++e)
+    if (out[static_cast<std::size_t>(e)].space.space != LocalSpace::three_field)
+      rigid_motion(patch, e, older, out[static_cast<std::size_t>(e)]);
+  // Three-field elements exchange displacement through tilted facets only.
+  bool tilted = false;
+  for (const Facet<D>& f : patch.facets)
+    tilted = tilted || (f.kind == FacetKind::interior && !is_vertical(f));
+  group_.clear();
+  for (int e = 0; e < count_; ++e) {
+    if (out[static_cast<std::size_t>(e)].space.space != LocalSpace::three_field) continue;
+    group_.push_back(e);
+    if (tilted) continue;
+    three_field_displacement(patch, group_, older, out);
+    group_.clear();
+  }
+  if (!group_.empty()) three_field_displacement(patch, group_, older, out);
+}
+
+/// The rigid motions carry neither velocity nor strain. They are those that bring the displacement closest to
+/// the older one on the inflow facets, weighted with |N_t|: the last term of (3.4).
+template <int D>
+void PatchSolver<D>::rigid_motion(const Patch<D>& patch, int e, std::span<const Solution<D>* const> older,
+                                  Solution<D>& out) {
+  constexpr int r = rigid_count<D>;
+  const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
+  const Block normal = take(arena_, r, r), rhs = take(arena_, r, 1);
+  for (std::size_t f = 0; f < patch.facets.size(); ++f) {
+    const Facet<D>& facet = patch.facets[f];
+    if (facet.kind != FacetKind::inflow || facet.element != e) continue;
+    const int degree = std::max(out.displacement_degree, older[f] ? older[f]->displacement_degree : 0);
+    const SimplexRule& rule = *facet_rule(degree + 1).rule;
+    facet_points(facet, rule);
+    older_states(patch, facet, older[f]);
+    other_states_.resize(points_.size());
+    out.at(points_, other_states_);
+    for (std::size_t q = 0; q < points_.size(); ++q) {
+      const double weight = rule.weight[q] * std::fabs(facet.normal[D]);
+      double mode[r][D] = {};
+      for (int i = 0, k = D; i < D; ++i) {
+        mode[i][i] = 1.0;
+        for (int j = i + 1; j < D; ++j, ++k) {
+          mode[k][i] = (points_[q][j] - space.centre[j]) / space.length;
+          mode[k][j] = -(points_[q][i] - space.centre[i]) / space.length;
+        }
+      }
+      for (int k = 0; k < r; ++k)
+        for (int i = 0; i < D; ++i) {
+          rhs.row(k)[0] += weight * mode[k][i] * (states_[q].u[i] - other_states_[q].u[i]);
+          for (int l = 0; l < r; ++l) normal.row(k)[l] += weight * mode[k][i] * mode[l][i];
+        }
+    }
+  }
+  int pivot[r];
+  if (!factor(normal, pivot)) return;  // an element without inflow is refused before
+  spacetime::solve(normal, pivot, rhs);
+
+  const auto& basis = Basis<D + 1>::get();
+  const int nu = polynomial_count(D + 1, out.displacement_degree);
+  for (int a = 0; a < D + 2; ++a) {
+    double one = 0.0, coordinate[D] = {};
+    for (int l = 0; l < D + 2; ++l) {
+      one += basis.linear(l)[a];
+      for (int i = 0; i < D; ++i)
+        coordinate[i] += (space.corner[l][i] - space.centre[i]) / space.length * basis.linear(l)[a];
+    }
+    for (int i = 0, k = D; i < D; ++i) {
+      out.displacement[static_cast<std::size_t>(i * nu + a)] += rhs.row(i)[0] * one;
+      for (int j = i + 1; j < D; ++j, ++k) {
+        out.displacement[static_cast<std::size_t>(i * nu + a)] += rhs.row(k)[0] * coordinate[j];
+        out.displacement[static_cast<std::size_t>(j * nu + a)] -= rhs.row(k)[0] * coordinate[i];
+      }
+    }
+  }
+}
+
+/// int u^ (u,t - v) dV + int u^ (u* - u) N_t dS = 0, u* from the older element on inflow and from the earlier
+/// neighbour on tilted facets. Every component has the same matrix.
+template <int D>
+void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::vector<int>& group,
+                                              std::span<const Solution<D>* const> older,
+                                              std::span<Solution<D>> out) {
+  const auto& basis = Basis<D + 1>::get();
+  int total = 0;
+  const auto start = [&](int element) {  // first unknown of a member of the group, -1 of others
+    int at = 0;
+    for (const int e : group) {
+      if (e == element) return at;
+      at += elements_[static_cast<std::size_t>(e)].polynomials;
+    }
+    return -1;
+  };
+  for (const int e : group) total += elements_[static_cast<std::size_t>(e)].polynomials;
+  const Block matrix = take(arena_, total, total), rhs = take(arena_, total, D);
+  for (const int e : group) {
+    const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
+    const int n = space.polynomials, at = start(e);
+    const auto derivative = space.derivatives(space.degree, space.degree, arena_);
+    for (int a = 0; a < n; ++a) {
+      for (int b = 0; b < n; ++b) matrix.row(at + a)[at + b] += space.volume * derivative[D].row(a)[b];
+      for (int i = 0; i < D; ++i)
+        rhs.row(at + a)[i] +=
+            space.volume * out[static_cast<std::size_t>(e)].fields[static_cast<std::size_t>(i * n + a)];
+    }
+  }
+  double phi[Basis<D + 1>::count], beyond[Basis<D + 1>::count];
+  for (std::size_t f = 0; f < patch.facets.size(); ++f) {
+    const Facet<D>& facet = patch.facets[f];
+    if (facet.kind == FacetKind::outflow || facet.kind == FacetKind::boundary) continue;
+    if (facet.kind == FacetKind::interior && is_vertical(facet)) continue;
+    // The receiver is the element above the facet, the giver lies below it.
+    const bool receives = facet.normal[D] < 0.0;
+    const int receiver = receives ? facet.element : facet.neighbour, at = receiver < 0 ? -1 : start(receiver);
+    if (at < 0) continue;
+    const int giver = facet.kind == FacetKind::inflow ? -1 : (receives ? facet.neighbour : facet.element);
+    const ElementSpace<D>& space = elements_[static_cast<std::size_t>(receiver)];
+    int degree = space.degree;
+    if (older[f] && giver < 0) degree = std::max(degree, older[f]->displacement_degree);
+    if (giver >= 0) degree = std::max(degree, elements_[static_cast<std::size_t>(giver)].choice.degree);
+    const SimplexRule& rule = *facet_rule(degree + 1).rule;
+    facet_points(facet, rule);
+    const int other = giver < 0 ? -1 : start(giver);
+    if (giver < 0) {
+      older_states(patch, facet, older[f]);
+    } else if (other < 0) {
+      states_.resize(points_.size());
+      out[static_cast<std::size_t>(giver)].at(points_, states_);
+    }
+    for (std::size_t q = 0; q < points_.size(); ++q) {
+      const double weight = rule.weight[q] * std::fabs(facet.normal[D]);
+      basis.evaluate(space.map(points_[q]).data(), space.degree, phi);
+      const int n = space.polynomials;
+      int m = 0;
+      if (other >= 0) {
+        const ElementSpace<D>& from = elements_[static_cast<std::size_t>(giver)];
+        m = from.polynomials;
+        basis.evaluate(from.map(points_[q]).data(), from.degree, beyond);
+      }
+      for (int a = 0; a < n; ++a) {
+        for (int b = 0; b < n; ++b) matrix.row(at + a)[at + b] += weight * phi[a] * phi[b];
+        for (int b = 0; b < m; ++b) matrix.row(at + a)[other + b] -= weight * phi[a] * beyond[b];
+        for (int i = 0; i < D && other < 0; ++i) rhs.row(at + a)[i] += weight * phi[a] * states_[q].u[i];
+      }
+    }
+  }
+  pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(total)));
+  if (!factor(matrix, pivot_.data())) return;  // definite on causal patches
+  spacetime::solve(matrix, pivot_.data(), rhs);
+  for (const int e : group) {
+    const int n = elements_[static_cast<std::size_t>(e)].polynomials, at = start(e);
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < n; ++a)
+        out[static_cast<std::size_t>(e)].displacement[static_cast<std::size_t>(i * n + a)] =
+            rhs.row(at + a)[i];
+  }
+}
+
+#define CLEAVE_INSTANTIATE(D)                                                                           \
+  template void PatchSolver<D>::displacements(const Patch<D>&, std::span<const Solution<D>* const>,     \
+                                              std::span<Solution<D>>);                                  \
+  template void PatchSolver<D>::rigid_motion(const Patch<D>&, int, std::span<const Solution<D>* const>, \
+                                             Solution<D>&);                                             \
+  template void PatchSolver<D>::three_field_displacement(const Patch<D>&, const std::vector<int>&,      \
+                                                         std::span<const Solution<D>* const>,           \
+                                                         std::span<Solution<D>>);
+CLEAVE_INSTANTIATE(1)
+CLEAVE_INSTANTIATE(2)
+CLEAVE_INSTANTIATE(3)
+#undef CLEAVE_INSTANTIATE
+
+}  // namespace cleave::discretisation::spacetime

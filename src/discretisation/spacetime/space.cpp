@@ -1,0 +1,247 @@
+#include "discretisation/spacetime/space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "discretisation/spacetime/basis.hpp"
+#include "discretisation/spacetime/quadrature.hpp"
+
+namespace cleave::discretisation::spacetime {
+namespace {
+
+/// The orthonormal polynomials at the points of a volume rule, times the weights.
+template <int M>
+struct VolumeTable {
+  const SimplexRule* rule = nullptr;
+  Block weighted;  ///< [point][polynomials]
+  Arena memory;
+
+  static const VolumeTable& of(int degree) {
+    static const auto tables = [] {
+      std::array<VolumeTable, largest_degree + 1> all;
+      for (int p = 0; p <= largest_degree; ++p) {
+        VolumeTable& t = all[static_cast<std::size_t>(p)];
+        t.rule = &simplex_rule(M, p + 1);
+        t.weighted = take(t.memory, t.rule->points, polynomial_count(M, p));
+        for (int q = 0; q < t.rule->points; ++q) {
+          Basis<M>::get().evaluate(&t.rule->barycentric[static_cast<std::size_t>(q * (M + 1))], p,
+                                   t.weighted.row(q));
+          for (int a = 0; a < t.weighted.columns; ++a)
+            t.weighted.row(q)[a] *= t.rule->weight[static_cast<std::size_t>(q)];
+        }
+      }
+      return all;
+    }();
+    return tables[static_cast<std::size_t>(degree)];
+  }
+};
+
+template <int D>
+Event<D> point(const std::array<Event<D>, D + 2>& corner, const double* barycentric) {
+  Event<D> y{};
+  for (int c = 0; c < D + 2; ++c)
+    for (int k = 0; k <= D; ++k) y[k] += barycentric[c] * corner[c][k];
+  return y;
+}
+
+}  // namespace
+
+template <int D>
+bool ElementSpace<D>::set(SpaceChoice c, const Elastic<D>& m, const TrefftzTable<D>* trefftz,
+                          const std::array<Event<D>, D + 2>& corners, double size, Arena& arena) {
+  choice = c, material = &m, table = trefftz, corner = corners, volume = size;
+  span = {}, undo = {};
+  degree = field_degree(c);
+  polynomials = polynomial_count(D + 1, degree);
+  unknowns = unknown_count<D>(c);
+  CLEAVE_ASSERT(c.degree >= 1 && c.degree <= largest_degree, "degree of a local space");
+  if (!map.set(corner) || !(volume > 0.0)) return false;
+  centre = {};
+  for (const auto& y : corner)
+    for (int k = 0; k <= D; ++k) centre[k] += y[k] / (D + 2);
+  length = 0.0;
+  for (const auto& y : corner) {
+    double square = std::pow(m.fastest * (y[D] - centre[D]), 2);
+    for (int k = 0; k < D; ++k) square += std::pow(y[k] - centre[k], 2);
+    length = std::max(length, std::sqrt(square));
+  }
+  switch (c.space) {
+    case LocalSpace::three_field:
+      return true;
+    case LocalSpace::one_field:
+      return span_one_field(arena);
+    case LocalSpace::trefftz:
+      return span_trefftz(arena);
+  }
+  return false;
+}
+
+template <int D>
+std::array<Block, D + 1> ElementSpace<D>::derivatives(int rows_degree, int columns_degree,
+                                                      Arena& arena) const {
+  const auto& basis = Basis<D + 1>::get();
+  std::array<Block, D + 1> out;
+  const int rows = polynomial_count(D + 1, rows_degree), columns = polynomial_count(D + 1, columns_degree);
+  for (int k = 0; k <= D; ++k) {
+    out[k] = take(arena, rows, columns);
+    for (int l = 0; l <= D; ++l)
+      for (int a = 0; a < rows; ++a) {
+        const double* weak = basis.weak(l + 1, a);
+        for (int b = 0; b < columns; ++b) out[k].row(a)[b] += map.gradient[l][k] * weak[b];
+      }
+  }
+  return out;
+}
+
+template <int D>
+bool ElementSpace<D>::span_one_field(Arena& arena) {
+  constexpr int linear = D + 2;  // polynomials of degree 1
+  const int n = polynomials, high = polynomial_count(D + 1, choice.degree) - linear;
+  span = take(arena, state_count<D> * n, unknowns);
+  const auto derivative = derivatives(degree, choice.degree, arena);
+  const Block strain = take(arena, strain_count<D> * n, unknowns);
+  const double root = std::sqrt(material->density);
+  int column = 0;
+  for (int i = 0; i < D; ++i) span.row(i * n)[column++] = root;                 // t e_i
+  for (int c = 0; c < strain_count<D>; ++c) strain.row(c * n)[column++] = 1.0;  // symmetric gradients
+  for (int i = 0; i < D; ++i, column += high)                                   // phi_a e_i, degree >= 2
+    for (int b = 0; b < n; ++b) {
+      for (int a = 0; a < high; ++a)
+        span.row(i * n + b)[column + a] = root * derivative[D].row(b)[linear + a];
+      for (int j = 0; j < D; ++j)
+        for (int a = 0; a < high; ++a)
+          strain.row(voigt<D>(i, j) * n + b)[column + a] +=
+              (i == j ? 1.0 : 0.5) * derivative[j].row(b)[linear + a];
+    }
+  for (int c = 0; c < strain_count<D>; ++c)
+    for (int d = 0; d < strain_count<D>; ++d) {
+      const double s = material->to_energy[c][d];
+      if (s == 0.0) continue;
+      for (int b = 0; b < n; ++b)
+        for (int k = 0; k < unknowns; ++k) span.row((D + c) * n + b)[k] += s * strain.row(d * n + b)[k];
+    }
+  return orthonormalise(arena);
+}
+
+template <int D>
+bool ElementSpace<D>::span_trefftz(Arena& arena) {
+  const auto& volume_table = VolumeTable<D + 1>::of(degree);
+  const SimplexRule& rule = *volume_table.rule;
+  const int n = polynomials;
+  const Block value = take(arena, rule.points, n), project = take(arena, n, n);
+  for (int q = 0; q < rule.points; ++q) {
+    const Event<D> y = point<D>(corner, &rule.barycentric[static_cast<std::size_t>(q * (D + 2))]);
+    std::array<double, D + 1> x;
+    for (int k = 0; k <= D; ++k) x[k] = (y[k] - centre[k]) / length * (k == D ? material->fastest : 1.0);
+    monomials<D>(x, degree, value.row(q));
+  }
+  multiply_transposed_add(volume_table.weighted, value, project);
+  span = take(arena, state_count<D> * n, unknowns);
+  for (int c = 0; c < state_count<D>; ++c) {
+    const Block from{table->fields.row(c * n), n, unknowns, table->fields.stride};
+    multiply_add(1.0, project, from, {span.row(c * n), n, unknowns, span.stride});
+  }
+  return orthonormalise(arena);
+}
+
+/// Two rounds of Cholesky on the energy product: the second removes what the first lost to rounding.
+template <int D>
+bool ElementSpace<D>::orthonormalise(Arena& arena) {
+  for (int round = 0; round < 2; ++round) {
+    const Block gram = take(arena, unknowns, unknowns), step = take(arena, unknowns, unknowns);
+    multiply_transposed_add(span, span, gram);
+    if (!cholesky(gram)) return false;
+    invert_upper(gram, step);
+    const Block next = take(arena, span.rows, unknowns);
+    multiply_add(1.0, span, step, next);
+    span = next;
+    if (round == 0) {
+      undo = step;
+    } else {
+      const Block both = take(arena, unknowns, unknowns);
+      multiply_add(1.0, undo, step, both);
+      undo = both;
+    }
+  }
+  return true;
+}
+
+template <int D>
+void ElementSpace<D>::recover(const double* x, Arena& arena, Solution<D>& out) const {
+  const int n = polynomials, pu = choice.degree, nu = polynomial_count(D + 1, pu);
+  out.map = map, out.space = choice, out.material = material;
+  out.degree = degree, out.displacement_degree = pu;
+  out.fields.assign(static_cast<std::size_t>(state_count<D> * n), 0.0);
+  out.displacement.assign(static_cast<std::size_t>(D * nu), 0.0);
+
+  // Energy-scaled coefficients, then velocity and strain.
+  const double scale = 1.0 / std::sqrt(volume);
+  double* w = arena.take(static_cast<std::size_t>(state_count<D> * n));
+  for (int r = 0; r < state_count<D> * n; ++r) {
+    double sum = span.data ? 0.0 : x[r];
+    if (span.data)
+      for (int k = 0; k < unknowns; ++k) sum += span.row(r)[k] * x[k];
+    w[r] = sum * scale;
+  }
+  for (int i = 0; i < D; ++i)
+    for (int a = 0; a < n; ++a)
+      out.fields[static_cast<std::size_t>(i * n + a)] = w[i * n + a] / std::sqrt(material->density);
+  for (int c = 0; c < strain_count<D>; ++c)
+    for (int d = 0; d < strain_count<D>; ++d)
+      for (int a = 0; a < n; ++a)
+        out.fields[static_cast<std::size_t>((D + c) * n + a)] +=
+            material->from_energy[c][d] * w[(D + d) * n + a];
+  if (choice.space == LocalSpace::three_field) return;
+
+  double* first = arena.take(static_cast<std::size_t>(unknowns));  // in the first spanning set
+  for (int k = 0; k < unknowns; ++k)
+    for (int j = k; j < unknowns; ++j) first[k] += undo.row(k)[j] * x[j] * scale;
+  double* u = out.displacement.data();
+  const auto& basis = Basis<D + 1>::get();
+  if (choice.space == LocalSpace::one_field) {
+    // Coefficients of the centred coordinates, then the functions of span_one_field in their order.
+    double coordinate[D + 1][D + 2] = {};
+    for (int k = 0; k <= D; ++k)
+      for (int l = 0; l < D + 2; ++l)
+        for (int a = 0; a < D + 2; ++a) coordinate[k][a] += (corner[l][k] - centre[k]) * basis.linear(l)[a];
+    int column = 0;
+    for (int i = 0; i < D; ++i, ++column)
+      for (int a = 0; a < D + 2; ++a) u[i * nu + a] += first[column] * coordinate[D][a];
+    for (int c = 0; c < strain_count<D>; ++c, ++column)
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j)
+          if (voigt<D>(i, j) == c)
+            for (int a = 0; a < D + 2; ++a) u[i * nu + a] += first[column] * coordinate[j][a];
+    for (int i = 0; i < D; ++i)
+      for (int a = D + 2; a < nu; ++a) u[i * nu + a] += first[column++];
+    return;
+  }
+  // Trefftz: sum the monomials, evaluate at quadrature points, project on the orthonormal polynomials.
+  double* sum = arena.take(static_cast<std::size_t>(D * nu));
+  for (int f = 0; f < unknowns; ++f) {
+    const double s = first[f] * length;
+    const double* from = table->displacement.data() + static_cast<std::ptrdiff_t>(f) * D * nu;
+    for (int k = 0; k < D * nu; ++k) sum[k] += s * from[k];
+  }
+  const auto& volume_table = VolumeTable<D + 1>::of(pu);
+  double value[Basis<D + 1>::count];
+  for (int q = 0; q < volume_table.rule->points; ++q) {
+    const Event<D> y =
+        point<D>(corner, &volume_table.rule->barycentric[static_cast<std::size_t>(q * (D + 2))]);
+    std::array<double, D + 1> at;
+    for (int k = 0; k <= D; ++k) at[k] = (y[k] - centre[k]) / length * (k == D ? material->fastest : 1.0);
+    monomials<D>(at, pu, value);
+    for (int i = 0; i < D; ++i) {
+      double ui = 0.0;
+      for (int a = 0; a < nu; ++a) ui += sum[i * nu + a] * value[a];
+      for (int a = 0; a < nu; ++a) u[i * nu + a] += ui * volume_table.weighted.row(q)[a];
+    }
+  }
+}
+
+template struct ElementSpace<1>;
+template struct ElementSpace<2>;
+template struct ElementSpace<3>;
+
+}  // namespace cleave::discretisation::spacetime
