@@ -90,22 +90,30 @@ MeshFault check_vertices(const SpaceMeshInput<D>& in) {
   return {};
 }
 
+/// Do a and b lie on different sides, farther away than rounding puts them? [any measure, and its size]
+bool apart(double a, double b, double size) {
+  const double least = tolerance * size;
+  return (a > least && b < -least) || (a < -least && b > least);
+}
+
 /// Do the open segments ab and cd cross?
 bool cross(const Point<2>& a, const Point<2>& b, const Point<2>& c, const Point<2>& d) {
   const auto side = [](const Point<2>& p, const Point<2>& q, const Point<2>& r) {
     return signed_volume<2>({p, q, r});
   };
-  return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+  const double size = std::pow(std::max({distance(a, b), distance(c, d), distance(a, c)}), 2);
+  return apart(side(a, b, c), side(a, b, d), size) && apart(side(c, d, a), side(c, d, b), size);
 }
 
 /// Does the open segment ab pierce the open triangle?
 bool pierces(const Point<3>& a, const Point<3>& b, const std::array<Point<3>, 3>& t) {
-  const double below = signed_volume<3>({t[0], t[1], t[2], a}),
-               above = signed_volume<3>({t[0], t[1], t[2], b});
-  if (below * above >= 0.0) return false;
+  const double size =
+      std::pow(std::max({distance(a, b), distance(t[0], t[1]), distance(t[0], t[2]), distance(a, t[0])}), 3);
+  if (!apart(signed_volume<3>({t[0], t[1], t[2], a}), signed_volume<3>({t[0], t[1], t[2], b}), size))
+    return false;
   const double x = signed_volume<3>({a, b, t[0], t[1]}), y = signed_volume<3>({a, b, t[1], t[2]}),
-               z = signed_volume<3>({a, b, t[2], t[0]});
-  return (x > 0.0 && y > 0.0 && z > 0.0) || (x < 0.0 && y < 0.0 && z < 0.0);
+               z = signed_volume<3>({a, b, t[2], t[0]}), least = tolerance * size;
+  return std::min({x, y, z}) > least || std::max({x, y, z}) < -least;
 }
 
 template <int D>

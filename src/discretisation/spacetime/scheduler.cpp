@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <queue>
@@ -20,6 +21,32 @@ struct Diary {
     std::vector<std::int32_t> seen;  ///< tents so far at the vertex itself and at each of its neighbours
   };
   std::vector<Entry> entries;
+};
+
+/// Vertices that may be pitched, in the order (window of time, vertex). Windows of a few tents' height keep
+/// the front together; within one, vertices go by number, which is what finds their neighbourhood in cache:
+/// lowest first, strictly, would wander over the whole mesh.
+class ReadyVertices {
+ public:
+  explicit ReadyVertices(double window) : window_(window) {}
+
+  std::int64_t window_of(double time) const { return static_cast<std::int64_t>(std::floor(time / window_)); }
+  void add(double time, Vertex v) {
+    const std::lock_guard lock(mutex_);
+    heap_.emplace(window_of(time), v);
+  }
+  Vertex take() {
+    const std::lock_guard lock(mutex_);
+    const Vertex v = heap_.top().second;
+    heap_.pop();
+    return v;
+  }
+
+ private:
+  using Entry = std::pair<std::int64_t, Vertex>;
+  const double window_;
+  std::mutex mutex_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
 };
 
 }  // namespace
@@ -96,48 +123,30 @@ struct Scheduler<D>::Run {
     return false;
   }
 
-  /// The lowest vertex of all is lower than its neighbours: take it, again and again.
-  void serial() {
-    struct Later {
-      bool operator()(const std::pair<Key, Vertex>& a, const std::pair<Key, Vertex>& b) const {
-        return b.first < a.first;
-      }
-    };
-    std::vector<std::pair<Key, Vertex>> heap;
-    for (Vertex v = 0; v < mesh.vertex_count(); ++v)
-      if (front.time[static_cast<std::size_t>(v)] < end_time)
-        heap.emplace_back(scheduler.pitcher_.key(front, v), v);
-    std::make_heap(heap.begin(), heap.end(), Later{});
-    while (!heap.empty()) {
-      std::pop_heap(heap.begin(), heap.end(), Later{});
-      const Vertex v = heap.back().second;
-      heap.pop_back();
-      if (!pitch(v)) return;
-      if (front.time[static_cast<std::size_t>(v)] < end_time) {
-        heap.emplace_back(scheduler.pitcher_.key(front, v), v);
-        std::push_heap(heap.begin(), heap.end(), Later{});
-      }
-    }
-  }
-
   /// Every edge of the mesh points from its lower to its higher end. `lower[v]` counts the neighbours below
   /// v; a vertex is ready when it is zero, and pitching it turns its edges over. Only the thread that pitches
   /// v turns the edges of v, since none of its neighbours is ready then. Releasing the last count of w makes
   /// everything written around w visible to whoever pitches w.
-  void threaded() {
+  void work() {
     const auto count = static_cast<std::size_t>(mesh.vertex_count());
     const auto lower = std::make_unique<std::atomic<std::int32_t>[]>(count);
-    std::vector<std::int32_t> seeds;
+    ReadyVertices ready(window());
+    std::vector<std::int32_t>
+        tokens;  // one for each vertex in `ready`; which one it gets is the queue's affair
     for (Vertex v = 0; v < mesh.vertex_count(); ++v) {
       const Key key = scheduler.pitcher_.key(front, v);
       std::int32_t below = 0;
       for (const Vertex w : mesh.neighbours(v)) below += scheduler.pitcher_.key(front, w) < key;
       lower[static_cast<std::size_t>(v)].store(below, std::memory_order_relaxed);
-      if (below == 0 && front.time[static_cast<std::size_t>(v)] < end_time) seeds.push_back(v);
+      if (below > 0 || key.time >= end_time) continue;
+      ready.add(key.time, v);
+      tokens.push_back(0);
     }
-    base::for_each_fed(seeds, [&](Vertex first, base::Feed& feed) {
-      // Goes on with one of the vertices it made ready: their data are in cache.
-      for (Vertex v = first; v >= 0;) {
+    base::for_each_fed(tokens, [&](std::int32_t, base::Feed& feed) {
+      Vertex v = ready.take();
+      const std::int64_t window_of_v = ready.window_of(front.time[static_cast<std::size_t>(v)]);
+      // Goes on with a vertex it made ready, in the same window: its data are in cache.
+      while (v >= 0) {
         if (!pitch(v)) return;
         const Key key = scheduler.pitcher_.key(front, v);
         thread_local std::vector<Vertex> turned;
@@ -146,19 +155,38 @@ struct Scheduler<D>::Run {
           if (scheduler.pitcher_.key(front, w) < key) turned.push_back(w);
         lower[static_cast<std::size_t>(v)].store(static_cast<std::int32_t>(turned.size()),
                                                  std::memory_order_relaxed);
-        Vertex next = turned.empty() && front.time[static_cast<std::size_t>(v)] < end_time ? v : -1;
-        for (const Vertex w : turned) {
-          const bool done = front.time[static_cast<std::size_t>(w)] >= end_time;
-          if (lower[static_cast<std::size_t>(w)].fetch_sub(1, std::memory_order_acq_rel) != 1 || done)
-            continue;
-          if (next < 0)
+        Vertex next = -1;
+        const auto offer = [&](double time, Vertex w) {
+          if (time >= end_time) return;
+          if (next < 0 && ready.window_of(time) <= window_of_v) {
             next = w;
-          else
-            feed.add(w);
+          } else {
+            ready.add(time, w);
+            feed.add(0);
+          }
+        };
+        const bool still_lowest = turned.empty();
+        for (const Vertex w : turned) {
+          const double time =
+              front.time[static_cast<std::size_t>(w)];  // w may move once its count is released
+          if (lower[static_cast<std::size_t>(w)].fetch_sub(1, std::memory_order_acq_rel) == 1) offer(time, w);
         }
+        if (still_lowest) offer(key.time, v);
         v = next;
       }
     });
+  }
+
+  /// A few times what a wave needs to cross a simplex [time].
+  double window() const {
+    double sum = 0.0;
+    for (Simplex s = 0; s < mesh.simplex_count(); ++s) {
+      const auto& simplex = mesh.simplex(s);
+      sum += distance(mesh.position()[static_cast<std::size_t>(simplex[0])],
+                      mesh.position()[static_cast<std::size_t>(simplex[1])]) /
+             mesh.speed(s).fastest;
+    }
+    return 4.0 * sum / mesh.simplex_count();
   }
 
   void write(ScheduleRecord& record) const {
@@ -217,10 +245,7 @@ FrontStatus Scheduler<D>::advance(Front<D>& front, double end_time, const Solve&
           .failed_at = {},
           .stop_after = std::numeric_limits<double>::infinity()};
   if (record) run.diaries.resize(front.time.size());
-  if (base::thread_count() == 1)
-    run.serial();
-  else
-    run.threaded();
+  run.work();
   if (record) run.write(*record);
   run.failure.patches = run.patches;
   return run.failure;

@@ -3,9 +3,8 @@
 ///
 /// A vertex is pitched exactly when its key (time, rank) is less than those of all its neighbours. Whatever
 /// order such vertices are taken in, each finds the same neighbours, hence the same tent and the same data
-/// below it: the result has the same bits for any number of threads. Serial runs take the lowest vertex of
-/// all from a heap, which keeps the front smooth; with threads there is neither barrier nor lock, see
-/// scheduler.cpp.
+/// below it: the result has the same bits for any number of threads. There is no barrier; scheduler.cpp says
+/// who may touch what.
 
 #include <functional>
 #include <string>

@@ -175,6 +175,18 @@ TEST(SpacetimeMesh, RefusesOverlaps) {
   refusal(line_twice, "inside");
 }
 
+TEST(SpacetimeMesh, AcceptsPlaneFacesAskewToTheAxes) {
+  // The faces of a plane boundary lie in one plane up to rounding only.
+  Random random(3);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SpaceMesh<3> solid;
+    const MeshFault fault = solid.build(spoiled<3>(cube(3, 0.15, seed), random(0.2, 1.0), random(-1.0, 1.0)));
+    EXPECT_TRUE(fault.ok) << fault.what;
+    SpaceMesh<2> plate;
+    EXPECT_TRUE(plate.build(spoiled<2>(grid(5, 0.2, seed), random(0.1, 1.0), random(-2.0, 2.0))).ok);
+  }
+}
+
 TEST(SpacetimeMesh, TagsBoundaryFaces) {
   auto in = grid(3);
   in.tag = {{.vertex = {1, 0}, .tag = 7}};
