@@ -11,7 +11,7 @@ namespace {
 constexpr double roundoff_momentum = 1e-12, roundoff_energy = 1e-10;
 
 template <int D>
-void expect_conserved(const Run<D>& run, double volume) {
+void expect_conserved(const March<D>& run, double volume) {
   EXPECT_EQ(run.failures, 0);
   EXPECT_LT(run.momentum, roundoff_momentum);
   EXPECT_LT(run.energy, roundoff_energy);
@@ -46,7 +46,7 @@ Errors smooth(SpaceChoice space, int n, double end, double sway, bool traction =
   Vector<D> size{};
   std::array<int, D> cells{};
   size.fill(1.0), cells.fill(n);
-  Run<D> run(box<D>(cells, size), c.problem);
+  March<D> run(box<D>(cells, size), c.problem);
   run.exact = [list](const Event<D>& y) { return waves<D>(list, y); };
   run.sway = sway;
   run.march(end);

@@ -88,9 +88,9 @@ Event<D> area_vector(const std::array<Event<D>, D + 1>& y, const Event<D>& oppos
 
 /// Marches a problem to its end and sums what the tests assert.
 template <int D>
-class Run {
+class March {
  public:
-  Run(Mesh<D> mesh, Problem<D> problem)
+  March(Mesh<D> mesh, Problem<D> problem)
       : mesh_(std::move(mesh)), problem_(std::move(problem)), solver_(problem_) {
     time_.assign(mesh_.x.size(), 0.0);
     home_ = mesh_.x;
