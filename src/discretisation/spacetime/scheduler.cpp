@@ -59,7 +59,9 @@ struct Scheduler<D>::Run {
   Front<D>& front;
   const double end_time;
   const Solve& solve;
-  std::vector<Diary> diaries;  ///< [vertex] when recording
+  std::vector<Diary> diaries;        ///< [vertex] when recording
+  std::vector<double> first_height;  ///< [vertex] of its first tent, 0 before; written by whoever pitches it
+  std::vector<char> slowed;          ///< [vertex]
   std::atomic<std::int64_t> patches{0};
 
   std::mutex failure_lock;
@@ -93,6 +95,10 @@ struct Scheduler<D>::Run {
       pole = scheduler.pitcher_.pitch_towards(front, v, end_time, {});
       pole.top[D] = pole.foot[D] + share * pole.height();
     }
+    double& first = first_height[static_cast<std::size_t>(v)];
+    if (first == 0.0) first = offered;
+    const bool cut_by_end = offered >= 0.5 * (end_time - pole.foot[D]) * (1.0 - 1e-9);
+    if (offered < 0.05 * first && !cut_by_end) slowed[static_cast<std::size_t>(v)] = 1;
     scheduler.pitcher_.commit(front, pole);
     patches.fetch_add(1, std::memory_order_relaxed);
 
@@ -117,7 +123,8 @@ struct Scheduler<D>::Run {
                  .time = key.time,
                  .bound = scheduler.pitcher_.sure_gain(front, v),
                  .what = std::move(what),
-                 .patches = 0};
+                 .patches = 0,
+                 .slowed = {}};
       stop_after.store(key.time, std::memory_order_relaxed);
     }
     return false;
@@ -239,6 +246,8 @@ FrontStatus Scheduler<D>::advance(Front<D>& front, double end_time, const Solve&
           .end_time = end_time,
           .solve = solve,
           .diaries = {},
+          .first_height = std::vector<double>(front.time.size(), 0.0),
+          .slowed = std::vector<char>(front.time.size(), 0),
           .patches = 0,
           .failure_lock = {},
           .failure = {},
@@ -248,6 +257,8 @@ FrontStatus Scheduler<D>::advance(Front<D>& front, double end_time, const Solve&
   run.work();
   if (record) run.write(*record);
   run.failure.patches = run.patches;
+  for (std::size_t v = 0; v < run.slowed.size(); ++v)
+    if (run.slowed[v]) run.failure.slowed.push_back(static_cast<Vertex>(v));
   return run.failure;
 }
 

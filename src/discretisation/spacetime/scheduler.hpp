@@ -36,6 +36,9 @@ struct FrontStatus {
   double bound = 0.0;  ///< what its gain should at least have been [time]
   std::string what;
   std::int64_t patches = 0;  ///< accepted
+  /// Vertices, ascending, with a tent below 1/20 of their first one of this advance, those before the end and
+  /// those the solver asked for aside: where geometry slows the front down.
+  std::vector<Vertex> slowed;
 };
 
 struct ScheduleOptions {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "base/threads.hpp"
@@ -151,6 +152,35 @@ TEST(SpacetimeScheduler, NamesTheEarliestFailureForAnyNumberOfThreads) {
     witness.fail_after = 1e30;  // and on it goes
     EXPECT_TRUE(Scheduler<2>(pitcher).advance(front, 0.5, std::ref(witness)).ok);
   }
+  base::set_thread_count(1);
+}
+
+TEST(SpacetimeScheduler, NamesVerticesThatSlowDown) {
+  // With a tiny eps the front may become nearly as steep as causality allows: a few vertices crawl.
+  SpaceMesh<2> mesh;
+  ASSERT_TRUE(mesh.build(delaunay(150, 2)).ok);
+  const auto slowed = [&](double eps, int threads) {
+    base::set_thread_count(threads);
+    const Pitcher<2> pitcher(mesh, {.eps = eps});
+    Front<2> front = pitcher.level_front(0.0);
+    std::vector<double> first(front.time.size(), 0.0);
+    std::vector<Vertex> low;
+    const FrontStatus status = Scheduler<2>(pitcher).advance(front, 0.5, [&](const Patch<2>& patch) {
+      double& height = first[static_cast<std::size_t>(patch.pole)];
+      if (height == 0.0) height = patch.top[2] - patch.foot[2];
+      if (patch.top[2] < 0.4 && patch.top[2] - patch.foot[2] < 0.05 * height && threads == 1)
+        low.push_back(patch.pole);
+      return Verdict{};
+    });
+    EXPECT_TRUE(status.ok);
+    for (const Vertex v : low) EXPECT_TRUE(std::binary_search(status.slowed.begin(), status.slowed.end(), v));
+    return status.slowed;
+  };
+  const auto crawling = slowed(0.001, 1);
+  EXPECT_FALSE(crawling.empty());
+  EXPECT_LT(crawling.size(), 20u);
+  EXPECT_EQ(slowed(0.001, 3), crawling);
+  EXPECT_TRUE(slowed(0.1, 1).empty());
   base::set_thread_count(1);
 }
 
