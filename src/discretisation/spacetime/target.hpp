@@ -3,7 +3,7 @@
 ///
 /// One file per kind: a class derived from Target and one function that makes it, declared below. All but the
 /// patch solver's own treatment of inflow, outflow and tilted facets goes through this door.
-/// Equations: section "Targets" of docs/spacetime-numerics.md.
+/// Equations: section "Star values" of docs/spacetime-numerics.md.
 
 #include <functional>
 #include <memory>
