@@ -117,7 +117,8 @@ void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::
   double phi[Basis<D + 1>::count], beyond[Basis<D + 1>::count];
   for (std::size_t f = 0; f < patch.facets.size(); ++f) {
     const Facet<D>& facet = patch.facets[f];
-    if (facet.kind == FacetKind::outflow || facet.kind == FacetKind::boundary || listed_before(facet)) continue;
+    if (facet.kind == FacetKind::outflow || facet.kind == FacetKind::boundary || listed_before(facet))
+      continue;
     if (facet.kind == FacetKind::interior && is_vertical(facet)) continue;
     // The receiver is the element above the facet, the giver lies below it.
     const bool receives = facet.normal[D] < 0.0;

@@ -2,129 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.hpp"
 #include "discretisation/spacetime/basis.hpp"
 #include "discretisation/spacetime/patch_solver.hpp"
 
 namespace cleave::discretisation::spacetime {
-namespace {
-
-/// A facet whose speed is below this part of the fastest wave counts as vertical, and so does one whose N_t
-/// is no more than rounding of the coordinates, seen against the element's own extent in space.
-constexpr double vertical_speed = 1e-9, rounding = 1e-12;
-
-template <int D>
-double space_length(const Event<D>& normal) {
-  double square = 0.0;
-  for (int k = 0; k < D; ++k) square += normal[k] * normal[k];
-  return std::sqrt(square);
-}
-
-}  // namespace
-
-template <int D>
-auto PatchSolver<D>::facet_rule(int per_direction) const -> const FacetRule& {
-  struct Tables {
-    Arena memory;
-    std::array<FacetRule, largest_degree + 3> rule;
-    Tables() {
-      for (int n = 1; n < static_cast<int>(rule.size()); ++n) {
-        FacetRule& r = rule[static_cast<std::size_t>(n)];
-        r.rule = &simplex_rule(D, n);
-        r.weighted = take(memory, r.rule->points, Basis<D>::count);
-        for (int q = 0; q < r.rule->points; ++q) {
-          Basis<D>::get().evaluate(&r.rule->barycentric[static_cast<std::size_t>(q * (D + 1))],
-                                   largest_degree, r.weighted.row(q));
-          for (int c = 0; c < Basis<D>::count; ++c)
-            r.weighted.row(q)[c] *= r.rule->weight[static_cast<std::size_t>(q)];
-        }
-      }
-    }
-  };
-  static const Tables tables;
-  return tables.rule[static_cast<std::size_t>(per_direction)];
-}
-
-template <int D>
-int PatchSolver<D>::points_per_direction(const Facet<D>& facet, const Solution<D>* older) const {
-  int degree = elements_[static_cast<std::size_t>(facet.element)].degree;
-  if (facet.neighbour >= 0)
-    degree = std::max(degree, elements_[static_cast<std::size_t>(facet.neighbour)].degree);
-  if (older) degree = std::max(degree, older->degree);
-  const bool bulk = facet.kind == FacetKind::inflow || facet.kind == FacetKind::outflow;
-  return degree + (bulk || target(facet).linear() ? 1 : 2);
-}
-
-template <int D>
-void PatchSolver<D>::facet_points(const Facet<D>& facet, const SimplexRule& rule) const {
-  points_.assign(static_cast<std::size_t>(rule.points), Event<D>{});
-  for (int q = 0; q < rule.points; ++q)
-    for (int c = 0; c <= D; ++c)
-      for (int k = 0; k <= D; ++k)
-        points_[static_cast<std::size_t>(q)][k] +=
-            rule.barycentric[static_cast<std::size_t>(q * (D + 1) + c)] * facet.corner[c][k];
-}
-
-template <int D>
-void PatchSolver<D>::older_states(const Patch<D>& patch, const Facet<D>& facet,
-                                  const Solution<D>* older) const {
-  states_.assign(points_.size(), PointState<D>{});
-  if (older) {
-    older->at(points_, states_);
-  } else if (problem_.initial) {
-    const Simplex simplex = patch.elements[static_cast<std::size_t>(facet.element)].simplex;
-    for (std::size_t q = 0; q < points_.size(); ++q) states_[q] = problem_.initial(simplex, points_[q]);
-  }
-}
-
-template <int D>
-bool PatchSolver<D>::is_vertical(const Facet<D>& facet) const {
-  if (facet.kind == FacetKind::boundary) return true;
-  const ElementSpace<D>& space = elements_[static_cast<std::size_t>(facet.element)];
-  const double tilt = std::fabs(facet.normal[D]);
-  return tilt <= vertical_speed * space.material->fastest * space_length<D>(facet.normal) ||
-         tilt <= rounding * (D + 1) * space.volume / (space.corner[D + 1][D] - space.corner[0][D]);
-}
-
-template <int D>
-const Target<D>& PatchSolver<D>::target(const Facet<D>& facet) const {
-  if (facet.boundary < 0) {
-    CLEAVE_ASSERT(facet.kind == FacetKind::interior, "a boundary facet needs its boundary face");
-    return *bonded_;
-  }
-  const Target<D>* t = problem_.targets[static_cast<std::size_t>(facet.boundary)];
-  CLEAVE_ASSERT(t != nullptr, "a boundary face without target");
-  return *t;
-}
-
-template <int D>
-Interface<D> PatchSolver<D>::interface_of(const Facet<D>& facet) const {
-  Interface<D> f;
-  const double length = space_length<D>(facet.normal);
-  for (int k = 0; k < D; ++k) f.n[k] = facet.normal[k] / length;
-  f.minus = elements_[static_cast<std::size_t>(facet.element)].material;
-  f.z_minus = f.minus->impedance(f.n);
-  if (facet.neighbour >= 0) {
-    f.plus = elements_[static_cast<std::size_t>(facet.neighbour)].material;
-    f.z_plus = f.plus == f.minus ? f.z_minus : f.plus->impedance(f.n);
-  }
-  return f;
-}
 
 /// A_N in the energy-scaled fields of the facet's element: N_t + N_j A^j.
-template <int D>
-auto PatchSolver<D>::scaled_flux(const Facet<D>& facet) const -> Matrix<NU> {
-  const Elastic<D>& m = *elements_[static_cast<std::size_t>(facet.element)].material;
-  Matrix<NU> a{};
-  for (int i = 0; i < NU; ++i) a[i][i] = facet.normal[D];
-  for (int j = 0; j < D; ++j)
-    for (int i = 0; i < D; ++i)
-      for (int k = 0; k < strain_count<D>; ++k) {
-        a[i][D + k] -= facet.normal[j] * m.flux[j][i][k];
-        a[D + k][i] -= facet.normal[j] * m.flux[j][i][k];
-      }
-  return a;
-}
 
 template <int D>
 auto PatchSolver<D>::side(int element, const FacetRule& rule, bool at_points) -> Side {
@@ -153,6 +36,7 @@ auto PatchSolver<D>::side(int element, const FacetRule& rule, bool at_points) ->
 }
 
 /// Keeps velocity and traction sigma n only, unscaled: all that a vertical facet sees.
+
 template <int D>
 void PatchSolver<D>::project_traces(Side& s, const Vector<D>& n) const {
   const Elastic<D>& m = *elements_[static_cast<std::size_t>(s.element)].material;
@@ -167,6 +51,7 @@ void PatchSolver<D>::project_traces(Side& s, const Vector<D>& n) const {
 }
 
 /// Writes the functionals out as a matrix on the unknowns.
+
 template <int D>
 void PatchSolver<D>::expand(Side& s) {
   if (s.trace.data) return;
@@ -197,6 +82,7 @@ void PatchSolver<D>::expand(Side& s) {
 }
 
 /// K(row, column) += row^T factor column; one factor for all modes, or one for each.
+
 template <int D>
 void PatchSolver<D>::couple(const Side& row, const Side& column, std::span<const Matrix<NU>> factor) {
   const Block& k = block(row.element, column.element);
@@ -239,6 +125,7 @@ void PatchSolver<D>::couple(const Side& row, const Side& column, std::span<const
 }
 
 /// rhs += row^T coefficients. @param coefficients [component][mode]
+
 template <int D>
 void PatchSolver<D>::load(const Side& row, const double* coefficients) {
   const Block& r = rhs_[static_cast<std::size_t>(row.element)];
@@ -351,33 +238,8 @@ void PatchSolver<D>::assemble_inflow(const Patch<D>& patch, const Facet<D>& face
 }
 
 /// Fills points_, traces_, maps_ and loads_ for a vertical facet. Returns the spatial measure of the facet.
+
 /// Without a solution the traces are zero.
-template <int D>
-double PatchSolver<D>::star_values(const Facet<D>& facet, std::span<const Solution<D>> solution) const {
-  const Target<D>& law = target(facet);
-  const Interface<D> face = interface_of(facet);
-  facet_points(facet, *facet_rule(points_per_direction(facet)).rule);
-  traces_.assign(points_.size(), Traces<D>{});
-  for (int k = 0; k < (facet.neighbour >= 0 ? 2 : 1) && !solution.empty(); ++k) {
-    const Solution<D>& from = solution[static_cast<std::size_t>(k == 0 ? facet.element : facet.neighbour)];
-    states_.resize(points_.size());
-    from.at(points_, states_);
-    for (std::size_t q = 0; q < points_.size(); ++q) {
-      const Voigt<D> stress = from.material->stress(states_[q].strain);
-      Vector<D> s{};
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j) s[i] += stress[voigt<D>(i, j)] * face.n[j];
-      Traces<D>& t = traces_[q];
-      (k == 0 ? t.v_minus : t.v_plus) = states_[q].v;
-      (k == 0 ? t.s_minus : t.s_plus) = s;
-      (k == 0 ? t.u_minus : t.u_plus) = states_[q].u;
-    }
-  }
-  maps_.assign(law.linear() ? 1 : points_.size(), StarMap<D>{});
-  loads_.assign(points_.size(), Star<D>{});
-  law.star(face, points_, traces_, maps_, loads_);
-  return space_length<D>(facet.normal);
-}
 
 template <int D>
 void PatchSolver<D>::assemble_vertical(const Facet<D>& facet, std::span<const Solution<D>> now) {
@@ -442,7 +304,9 @@ void PatchSolver<D>::assemble_vertical(const Facet<D>& facet, std::span<const So
 }
 
 /// Tilted facet inside one material: upwinding in the eigenvectors of A_N, which lets modes faster than the
+
 /// facet pass both ways and carries the others along.
+
 template <int D>
 PatchStatus PatchSolver<D>::assemble_tilted(const Facet<D>& facet) {
   const ElementSpace<D>&minus = elements_[static_cast<std::size_t>(facet.element)],
@@ -470,19 +334,10 @@ PatchStatus PatchSolver<D>::assemble_tilted(const Facet<D>& facet) {
   return PatchStatus::solved;
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                                             \
-  template auto PatchSolver<D>::facet_rule(int) const->const FacetRule&;                                  \
-  template int PatchSolver<D>::points_per_direction(const Facet<D>&, const Solution<D>*) const;           \
-  template void PatchSolver<D>::facet_points(const Facet<D>&, const SimplexRule&) const;                  \
-  template void PatchSolver<D>::older_states(const Patch<D>&, const Facet<D>&, const Solution<D>*) const; \
-  template bool PatchSolver<D>::is_vertical(const Facet<D>&) const;                                       \
-  template const Target<D>& PatchSolver<D>::target(const Facet<D>&) const;                                \
-  template Interface<D> PatchSolver<D>::interface_of(const Facet<D>&) const;                              \
-  template auto PatchSolver<D>::scaled_flux(const Facet<D>&) const->Matrix<NU>;                           \
-  template double PatchSolver<D>::star_values(const Facet<D>&, std::span<const Solution<D>>) const;       \
-  template void PatchSolver<D>::assemble_volume(int);                                                     \
-  template void PatchSolver<D>::assemble_inflow(const Patch<D>&, const Facet<D>&, const Solution<D>*);    \
-  template void PatchSolver<D>::assemble_vertical(const Facet<D>&, std::span<const Solution<D>>);         \
+#define CLEAVE_INSTANTIATE(D)                                                                          \
+  template void PatchSolver<D>::assemble_volume(int);                                                  \
+  template void PatchSolver<D>::assemble_inflow(const Patch<D>&, const Facet<D>&, const Solution<D>*); \
+  template void PatchSolver<D>::assemble_vertical(const Facet<D>&, std::span<const Solution<D>>);      \
   template PatchStatus PatchSolver<D>::assemble_tilted(const Facet<D>&);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)

@@ -106,8 +106,7 @@ TEST(SpacetimeOrder, OneField2D) {
   for (int p = 2; p <= 3; ++p) expect_order<2>({one_field, p}, {2, 4, 8}, end2d, 0.0, p, p + 0.5);
 }
 TEST(SpacetimeOrder, InclinedPoles) {
-  expect_order<2>({three_field, 2}, {2, 4, 8}, end2d, 0.1, 3, 3);
-  expect_order<2>({trefftz, 3}, {2, 4, 8}, end2d, 0.1, 3, 3.5);
+  expect_order<2>({three_field, 2}, {2, 4, 8}, end2d, 0.06, 3, 3);
 }
 TEST(SpacetimeOrder, PrescribedTraction) {
   const Errors a = smooth<2>({three_field, 2}, 2, end2d, 0.0, true),
