@@ -34,7 +34,7 @@ void SpaceMesh<D>::open_cracks() {
         open.pop_back();
         for (std::size_t i = 0; i <= D; ++i) {
           const Simplex next = across_[s][i];
-          if (simplex_[s][i] == v || next < 0) continue;
+          if (next < 0) continue;  // (across the face opposite v lies no simplex of the star)
           const auto at =
               static_cast<std::size_t>(std::lower_bound(around.begin(), around.end(), next) - around.begin());
           if (at == around.size() || around[at] != next || group[at] >= 0) continue;
