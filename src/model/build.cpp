@@ -60,6 +60,7 @@ void take_cards(Draft& draft, const deck::Block& block, const Handler& handler) 
 void take_block(Draft& draft, const deck::Block& block, const Handler& handler) {
   Account::Entry& line = account_of(*draft.account, block.keyword);
   line.remark = handler.remark;
+  line.policy = handler.policy;
   if (handler.stream) {
     line.cards += handler.stream(draft, block);
   } else {

@@ -52,6 +52,10 @@ KeywordSupport support_of(std::string_view keyword) {
   }
 
   support.remark = handler->remark;
+  if (handler->policy != Account::Policy::honoured) {
+    support.policy = handler->policy;
+    return support;
+  }
   bool whole = true;
   for (const auto& layout : deck::fields_of(keyword)) {
     if (layout.name.starts_with("-")) continue;

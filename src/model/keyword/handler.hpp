@@ -33,6 +33,7 @@ struct Handler {
   void (*take)(Draft&, const Entry&) = nullptr;                 ///< one data set
   std::size_t (*stream)(Draft&, const deck::Block&) = nullptr;  ///< or a whole block of rows
   std::string_view remark = {};
+  Account::Policy policy = Account::Policy::honoured;  ///< other than honoured: read, but not computed with
 };
 
 using Family = std::span<const Handler>;
