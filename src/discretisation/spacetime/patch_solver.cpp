@@ -83,7 +83,8 @@ PatchStatus PatchSolver<D>::solve(const Patch<D>& patch, std::span<const Solutio
     for (std::size_t f = 0; f < patch.facets.size(); ++f) {
       const Facet<D>& facet = patch.facets[f];
       if (facet.kind == FacetKind::inflow) assemble_inflow(patch, facet, older[f]);
-      if (facet.kind == FacetKind::inflow || facet.kind == FacetKind::outflow || listed_before(facet)) continue;
+      if (facet.kind == FacetKind::inflow || facet.kind == FacetKind::outflow || listed_before(facet))
+        continue;
       if (is_vertical(facet)) {
         assemble_vertical(facet, iterations_ > 1 ? out : std::span<Solution<D>>{});
         continue;

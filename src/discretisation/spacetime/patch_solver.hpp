@@ -88,7 +88,9 @@ class PatchSolver {
   double star_values(const Facet<D>& facet, std::span<const Solution<D>> solution) const;
   bool is_vertical(const Facet<D>& facet) const;
   /// An interior facet may be listed by both its elements; it is worked on once, for the first of them.
-  static bool listed_before(const Facet<D>& f) { return f.kind == FacetKind::interior && f.neighbour < f.element; }
+  static bool listed_before(const Facet<D>& f) {
+    return f.kind == FacetKind::interior && f.neighbour < f.element;
+  }
   const Target<D>& target(const Facet<D>& facet) const;
   Interface<D> interface_of(const Facet<D>& facet) const;
   Matrix<NU> scaled_flux(const Facet<D>& facet) const;

@@ -145,8 +145,8 @@ bool ElementSpace<D>::span_trefftz(Arena& arena) {
   return orthonormalise(arena);
 }
 
-/// Cholesky on the energy product. The assembly never relies on exact orthonormality, only the conditioning does:
-/// a second round is needed where the first lost half of the digits.
+/// Cholesky on the energy product. The assembly never relies on exact orthonormality, only the conditioning
+/// does: a second round is needed where the first lost half of the digits.
 template <int D>
 bool ElementSpace<D>::orthonormalise(Arena& arena) {
   for (int round = 0; round < 2; ++round) {
