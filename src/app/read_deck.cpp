@@ -8,8 +8,9 @@ namespace cleave::app {
 
 Reading read_deck(const Options& options) {
   Reading reading;
-  reading.deck =
-      deck::Deck::read(options.input, {.include_paths = options.include_paths}, reading.diagnostics);
+  reading.deck = deck::Deck::read(
+      options.input, {.include_paths = options.include_paths, .refuse_unknown = !options.allow_unsupported},
+      reading.diagnostics);
   if (reading.deck->blocks().empty()) {  // one plain error in place of all that an empty model lacks
     if (!reading.failed())
       reading.diagnostics.error({}, {}, {}, "there is no keyword in '" + options.input.string() + "'",

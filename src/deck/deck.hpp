@@ -61,6 +61,9 @@ class Row {
 struct ReadOptions {
   std::vector<std::filesystem::path> include_paths;
   bool follow_includes = true;  ///< false: included files are not read, without a word
+  /// An unknown keyword may be a misspelt load or support: an error, not a warning. Output and analyses
+  /// that follow a run cannot change it, and remain warnings.
+  bool refuse_unknown = false;
 };
 
 /// One keyword occurrence, its layout known, its cards not yet expanded.

@@ -21,6 +21,13 @@ constexpr int most_guesses = 50;  ///< unknown names that get a suggestion; look
 
 constexpr std::string_view encrypted_begin = "-----BEGIN PGP", encrypted_end = "-----END PGP";
 
+/// Keywords that cannot change the motion, known or not: results, layout on ranks, analyses after the run.
+bool is_aside(std::string_view keyword) {
+  for (const std::string_view family : {"DATABASE_", "CONTROL_MPP_", "FREQUENCY_DOMAIN_"})
+    if (keyword.starts_with(family)) return true;
+  return false;
+}
+
 /// What one file hands down to the files it includes.
 struct FileState {
   int file = 0;
@@ -130,9 +137,14 @@ class Reader {
     block.known = name.known;
     block.index = data_->blocks.size();
     if (!name.known) {
-      diagnostics_.warning(block.place, {}, {},
-                           "unknown keyword '" + block.written + "': it is skipped with all its lines",
-                           name.nearest.empty() ? std::string() : "did you mean *" + name.nearest + "?");
+      const std::string hint = name.nearest.empty() ? std::string() : "did you mean *" + name.nearest + "?";
+      if (options_.refuse_unknown && !is_aside(block.keyword))
+        diagnostics_.error(block.place, {}, {}, "unknown keyword '" + block.written + "'",
+                           hint.empty() ? "correct or remove it, or run without what is unsupported" : hint);
+      else
+        diagnostics_.warning(block.place, {}, {},
+                             "unknown keyword '" + block.written + "': it is skipped with all its lines",
+                             hint);
     }
     if (block.keyword == "KEYWORD") {
       state.format = format_of_keyword_line(remark);

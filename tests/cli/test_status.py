@@ -36,6 +36,14 @@ class Statuses(Case):
             self.assertIn("the deck was not accepted", err)
         self.assertEqual(os.listdir(self.folder), ["bad.k"])
 
+    def test_a_misspelt_keyword_is_no_small_thing(self):
+        deck = self.write("bar.k", bar((1, 1, 9), end=1e-6).replace("*RIGIDWALL_PLANAR", "*RIGIDWALL_PLANER"))
+        _, err = self.cleave("run", deck, status=3)
+        self.assertIn("bar.k:39:1: error: unknown keyword '*RIGIDWALL_PLANER'", err)
+        self.assertIn("did you mean *RIGIDWALL_PLANAR?", err)
+        _, err = self.cleave("run", deck, "-q", "--allow-unsupported")
+        self.assertIn("warning: unknown keyword '*RIGIDWALL_PLANER': it is skipped", err)
+
     def test_decks_that_are_none(self):
         self.write("empty.k", "")
         self.write("letter.k", "Dear solver,\nplease compute.\n")
