@@ -61,7 +61,7 @@ class ForceScatter {
     const std::int64_t* f = memory.force.data();
     const std::int32_t direct = partial_ ? chunk.own_count : chunk.node_count;
     for (std::int32_t i = 0; i < direct; ++i, f += force_row) {
-      force_.prefetch(list[std::min(i + 16, chunk.node_count - 1)]);
+      force_.prefetch(list[std::min(i + 64, chunk.node_count - 1)]);
       for (int k = 0; k < 3; ++k) force_.add(list[i], k, -f[k], false);
     }
     if (partial_)

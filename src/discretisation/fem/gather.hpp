@@ -38,7 +38,7 @@ struct ChunkMemory {
     const Index* list = table.nodes.data() + chunk.first_node;
     double* to = node.data();
     for (std::size_t i = 0; i < count; ++i, to += row) {
-      const std::size_t ahead = 3 * static_cast<std::size_t>(list[std::min(i + 16, count - 1)]);
+      const std::size_t ahead = 3 * static_cast<std::size_t>(list[std::min(i + 64, count - 1)]);
       __builtin_prefetch(position + ahead);
       __builtin_prefetch(velocity + ahead);
       const double* x = position + 3 * static_cast<std::size_t>(list[i]);
