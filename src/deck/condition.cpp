@@ -10,7 +10,7 @@ namespace cleave::deck {
 
 double evaluate(const table::Op* code, std::size_t count, const ConditionValues& values) {
   using table::Code;
-  double stack[32];
+  double stack[32] = {};
   std::size_t top = 0;
   const auto binary = [&](auto operation) {
     CLEAVE_ASSERT(top >= 2, "a condition of the card table is malformed");

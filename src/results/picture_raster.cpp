@@ -67,12 +67,11 @@ double line_cover(const std::array<Corner, 4>& c, unsigned edges, bool triangle,
 void fill(Canvas& canvas, const Drawing& drawing, std::uint32_t face, const std::array<Corner, 4>& c, int i,
           int j, int k, double strength, bool triangle) {
   const Corner* corner[3] = {&c[i], &c[j], &c[k]};
-  double twice_area = (corner[1]->x - corner[0]->x) * (corner[2]->y - corner[0]->y) -
-                      (corner[2]->x - corner[0]->x) * (corner[1]->y - corner[0]->y);
+  const double twice_area = (corner[1]->x - corner[0]->x) * (corner[2]->y - corner[0]->y) -
+                            (corner[2]->x - corner[0]->x) * (corner[1]->y - corner[0]->y);
   if (twice_area == 0.0 || !std::isfinite(twice_area)) return;
   if (twice_area < 0.0) {
     std::swap(corner[1], corner[2]);
-    twice_area = -twice_area;
   }
   const auto clip = [](double v, int size) { return static_cast<int>(std::clamp<double>(v, 0.0, size)); };
   const auto [x_low, x_high] = std::minmax({corner[0]->x, corner[1]->x, corner[2]->x});

@@ -57,7 +57,7 @@ struct PartKind {
 struct SolidKind {
   using Member = Id;
   static constexpr IdKind ids = IdKind::element;
-  static constexpr std::string_view name = "element", series = "SOLIDS", column = "EID";
+  static constexpr std::string_view name = "element", series = "SOLIDS";
   static SetBook<Id>& book(Draft& d) { return d.solid_sets; }
   static bool find(Draft& d, Id id, Member& out) { return out = id, d.element(id).has_value(); }
   static void range(Draft& d, Id from, Id to, std::vector<Member>& out) {
