@@ -1,7 +1,7 @@
 #include <cstdio>
-#include <fstream>
 
 #include "app/commands.hpp"
+#include "results/files.hpp"
 
 namespace cleave::app {
 
@@ -13,16 +13,8 @@ int convert(const Options& options) {
   if (options.output.empty())
     return std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) ? files_failed : done;
 
-  // Whole or not at all: written beside the target, then renamed over it.
-  const std::filesystem::path part = options.output.string() + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, options.output, error);
-  if (!file || error) {
-    std::fprintf(stderr, "cleave: cannot write %s\n", options.output.c_str());
-    std::filesystem::remove(part, error);
+  if (const std::string problem = results::write_whole(options.output, text); !problem.empty()) {
+    std::fprintf(stderr, "cleave: cannot write %s: %s\n", options.output.c_str(), problem.c_str());
     return files_failed;
   }
   return done;

@@ -70,9 +70,7 @@ void fill(Canvas& canvas, const Drawing& drawing, std::uint32_t face, const std:
   const double twice_area = (corner[1]->x - corner[0]->x) * (corner[2]->y - corner[0]->y) -
                             (corner[2]->x - corner[0]->x) * (corner[1]->y - corner[0]->y);
   if (twice_area == 0.0 || !std::isfinite(twice_area)) return;
-  if (twice_area < 0.0) {
-    std::swap(corner[1], corner[2]);
-  }
+  if (twice_area < 0.0) std::swap(corner[1], corner[2]);
   const auto clip = [](double v, int size) { return static_cast<int>(std::clamp<double>(v, 0.0, size)); };
   const auto [x_low, x_high] = std::minmax({corner[0]->x, corner[1]->x, corner[2]->x});
   const auto [y_low, y_high] = std::minmax({corner[0]->y, corner[1]->y, corner[2]->y});
