@@ -53,6 +53,27 @@ struct Hourglass {
   double quadratic_bulk = 1.5, linear_bulk = 0.06;
 };
 
+/// How spacetime parts are to be solved: *CONTROL_SPACETIME. Sections of parts may overrule space and degree.
+struct SpacetimeControl {
+  enum class Space : std::uint8_t { one_field, three_field, trefftz };
+  enum class Progress : std::uint8_t {
+    triangle,
+    subsimplex,
+    budget
+  };  ///< (a), (b), (c) of docs/spacetime.md
+  Space space = Space::trefftz;
+  int degree = 3;     ///< of the space, 1 to 6
+  double chi = 0.95;  ///< fraction of the characteristic slope, (0, 1) [-]
+  Progress progress = Progress::subsimplex;
+  double eps = 0.1;            ///< of the progress constraint, (0, 1/2] [-]
+  double height_factor = 1.0;  ///< of the allowed height of tents, (0, 1] [-]
+  double height_cap = 0.0;     ///< of any tent; 0 none [time]
+  double smoothing = 0.0;      ///< inclined poles: share of the way to the mean of the neighbours [-]
+  int threads = 0;             ///< 0: as the command line says
+  bool verify = false;         ///< hold every patch to its identities
+  int subdivision = 0;         ///< of cells in field files; 0: by degree
+};
+
 struct Control {
   TimeStepControl step;
   Termination end;
@@ -60,7 +81,8 @@ struct Control {
   EnergyControl energy;
   Hourglass hourglass;               ///< default for parts without their own
   int invariant_node_numbering = 1;  ///< *CONTROL_ACCURACY INN, 1 none
-  int solid_sort = 0;                ///< *CONTROL_SOLID ESORT: 1 tetrahedra and wedges take ELFORM 10 and 15
+  SpacetimeControl spacetime;
+  int solid_sort = 0;  ///< *CONTROL_SOLID ESORT: 1 tetrahedra and wedges take ELFORM 10 and 15
 };
 
 }  // namespace cleave::model

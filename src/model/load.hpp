@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/tensor.hpp"
+#include "deck/diagnostic.hpp"
 #include "model/mesh.hpp"
 
 namespace cleave::model {
@@ -87,6 +88,13 @@ struct RigidWall {
   double speed = 0.0;           ///< initial, along the normal [length/time]
   double birth = 0.0, death = forever;
   int soft_cycles = 0;  ///< _FORCES SOFT: cycles over which the velocity is zeroed
+};
+
+/// A traction-free crack that is there from the start, along faces of the mesh (*BOUNDARY_PRECRACK).
+struct Precrack {
+  Id part = 0;
+  std::vector<Vector> points;  ///< corners: a polyline in the plane, a plane convex polygon in space [length]
+  deck::Place place;
 };
 
 /// Viscous absorbing faces (*BOUNDARY_NON_REFLECTING).

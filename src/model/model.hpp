@@ -40,6 +40,7 @@ struct Model {
   std::vector<BodyLoad> body_loads;
   std::vector<RigidWall> walls;
   std::vector<AbsorbingFaces> absorbing;
+  std::vector<Precrack> precracks;
   std::vector<PointMass> point_masses;
   std::vector<GlobalDamping> global_damping;
   std::vector<double> initial_velocity;  ///< [node][3] [length/time]
