@@ -15,22 +15,17 @@ std::array<Vector, 4> face_vectors(const model::Segment& face, std::span<const d
     const Vector third = (1.0 / 6.0) * base::cross(x[1] - x[0], x[2] - x[0]);
     return {third, third, third, zero};
   }
-  constexpr double g = 0.57735026918962576451;  // 1 / sqrt(3)
+  // Sides and warp of x(xi, eta) = c + u xi + v eta + w xi eta. Opposite corners are added first: the warp of
+  // a parallelogram is then zero to the bit, and its corners get the same vector.
+  const Vector even = x[0] + x[2], odd = x[1] + x[3], forward = x[2] - x[0], across = x[1] - x[3];
+  const Vector u = 0.25 * (forward + across), v = 0.25 * (forward - across), w = 0.25 * (even - odd);
+  // n dA = (u + w eta) x (v + w xi): constant, along xi and along eta, of which a shape function sees a
+  // third.
   constexpr double xi_of[4] = {-1, 1, 1, -1}, eta_of[4] = {-1, -1, 1, 1};
-  std::array<Vector, 4> out{zero, zero, zero, zero};
-  for (int q = 0; q < 4; ++q) {
-    const double xi = g * xi_of[q], eta = g * eta_of[q];
-    double shape[4];
-    Vector along_xi = zero, along_eta = zero;
-    for (int a = 0; a < 4; ++a) {
-      shape[a] = 0.25 * (1.0 + xi_of[a] * xi) * (1.0 + eta_of[a] * eta);
-      along_xi = along_xi + (0.25 * xi_of[a] * (1.0 + eta_of[a] * eta)) * x[a];
-      along_eta = along_eta + (0.25 * eta_of[a] * (1.0 + xi_of[a] * xi)) * x[a];
-    }
-    const Vector area = base::cross(along_xi, along_eta);
-    for (int a = 0; a < 4; ++a)
-      out[static_cast<std::size_t>(a)] = out[static_cast<std::size_t>(a)] + shape[a] * area;
-  }
+  const Vector mean = base::cross(u, v);
+  const Vector along_xi = (1.0 / 3.0) * base::cross(u, w), along_eta = (1.0 / 3.0) * base::cross(w, v);
+  std::array<Vector, 4> out;
+  for (std::size_t a = 0; a < 4; ++a) out[a] = mean + xi_of[a] * along_xi + eta_of[a] * along_eta;
   return out;
 }
 

@@ -13,7 +13,8 @@ inline bool is_triangle(const model::Segment& face) {
   return face.node[3] == face.node[2];
 }
 
-/// Integral of N_a n dA for each corner a, N_a bilinear (2 x 2 Gauss points, exact) or linear on triangles.
+/// Integral of N_a n dA for each corner a, N_a bilinear (exact, in closed form) or linear on triangles.
+/// The corners of a parallelogram get the same bits (docs/decisions/0007-pressure-on-faces.md).
 /// Corners of the same node (the third and fourth of a triangle) do not share: the fourth gets nothing.
 /// @param position [node][3] [length]
 /// @return area vectors, outward where the corners run counter-clockwise seen from outside [length^2]

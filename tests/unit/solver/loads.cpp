@@ -98,6 +98,56 @@ TEST(Loads, PressureOnAClosedSurfaceHasNoResultant) {
   EXPECT_LT(std::sqrt(base::dot(torque, torque)), 1e-15);
 }
 
+/// Integral of N_a n dA by 4 x 4 Gauss points, apart from the closed form of face.cpp.
+std::array<Vector, 4> integrated(const Rig& rig, const model::Segment& face) {
+  const double point[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+  const double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+  constexpr double xi_of[4] = {-1, 1, 1, -1}, eta_of[4] = {-1, -1, 1, 1};
+  std::array<Vector, 4> out{};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      Vector along_xi{}, along_eta{};
+      for (int a = 0; a < 4; ++a) {
+        const double* p = &rig.model.mesh.nodes.position[3 * static_cast<std::size_t>(face.node[a])];
+        const Vector x{p[0], p[1], p[2]};
+        along_xi = along_xi + (0.25 * xi_of[a] * (1.0 + eta_of[a] * point[j])) * x;
+        along_eta = along_eta + (0.25 * eta_of[a] * (1.0 + xi_of[a] * point[i])) * x;
+      }
+      for (std::size_t a = 0; a < 4; ++a)
+        out[a] = out[a] +
+                 (weight[i] * weight[j] * 0.25 * (1.0 + xi_of[a] * point[i]) * (1.0 + eta_of[a] * point[j])) *
+                     base::cross(along_xi, along_eta);
+    }
+  return out;
+}
+
+TEST(Loads, FaceVectorsAreTheIntegralsOfTheShapeFunctions) {
+  Box rig(0.3);
+  for (const auto& face : rig.faces) {
+    const auto vectors = face_vectors(face, rig.model.mesh.nodes.position);
+    const auto expected = integrated(rig, face);
+    for (std::size_t a = 0; a < 4; ++a) {
+      const Vector difference = vectors[a] - expected[a];
+      EXPECT_LT(std::sqrt(base::dot(difference, difference)), 1e-15);
+    }
+  }
+}
+
+// Corners of a parallelogram share alike to the bit: a homogeneous state is not disturbed by rounding.
+TEST(Loads, ParallelogramSharesToTheBit) {
+  Rig rig;
+  const double w = std::exp(0.123), d = std::sqrt(0.7), h = 1.0 / 3.0;
+  for (const auto& x : {Vector{0, 0, h}, Vector{w, 0, h}, Vector{w, d, h}, Vector{0, d, h}})
+    rig.node(x.x, x.y, x.z);
+  const auto vectors = face_vectors({{0, 1, 2, 3}}, rig.model.mesh.nodes.position);
+  for (const Vector& v : vectors) {
+    EXPECT_EQ(v.x, 0.0);
+    EXPECT_EQ(v.y, 0.0);
+    EXPECT_EQ(v.z, vectors[0].z);
+  }
+  EXPECT_DOUBLE_EQ(vectors[0].z, 0.25 * w * d);
+}
+
 TEST(Loads, PressurePushesInwardsWithItsAreaAfterArrival) {
   Box rig(0.0);
   model::SegmentLoad load;

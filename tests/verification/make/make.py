@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from deck import Deck
-from mesh import box, hexahedra, mirrored, quarter_cylinder, tetrahedra, wedges
+from mesh import box, hexahedra, hexahedron_volume, mirrored, outer_faces, quarter_cylinder, tetrahedra, wedges
 
 HERE = Path(__file__).resolve().parent.parent
 CASES = {}
@@ -127,6 +127,42 @@ def simple_shear():
     deck.card("BOUNDARY_SPC_SET", [moving, 0, 0, 1, 1])
     deck.card("BOUNDARY_PRESCRIBED_MOTION_SET", [moving, 1, 0, 1, 0.01])
     deck.card("INITIAL_VELOCITY", [moving], [0.01, 0.0, 0.0])
+    deck.mesh(mesh)
+    return deck
+
+
+# --- pressure on every face: homogeneous at any pressure, on a distorted mesh that nothing holds ----------------
+
+@case
+def pressure_bath():
+    deck = Deck("pressure_bath", "A distorted block of one-point elements sinks")
+    moved = {(1, 1, 1): (0.59, 0.41, 0.56), (1, 0, 0): (0.42, -0.05, 0.04), (0, 1, 0): (0.03, 0.61, 0.02),
+             (2, 2, 1): (1.05, 0.96, 0.38), (1, 1, 0): (0.55, 0.46, -0.06), (2, 1, 1): (1.08, 0.57, 0.44)}
+    mesh = hexahedra((2, 2, 2), lambda a, b, c: moved.get((a, b, c), (a / 2, b / 2, c / 2)))
+    end, bulk, largest = 600.0, 1.0 / 1.2, 0.7
+    volume = sum(hexahedron_volume([mesh.nodes[n - 1] for n in nodes]) for _, nodes in mesh.elements)
+    deck.says("case", "pressure up to 0.7 E on all faces of a distorted block of one-point elements, held by nothing")
+    deck.says("source", "closed form of hypoelasticity under hydrostatic pressure: stress = -p, V = V0 exp(-p/K)")
+    for time in (end / 2, end):
+        p = largest * time / end
+        for element in (1, 4, 8):
+            for component in ("xx", "yy", "zz"):
+                deck.says("expect", f"stress_{component} element={element} time={time:g}  {-p:.4g}  "
+                          "rel=5e-4 (model: oscillation of about 1/(omega t))")
+            for component in ("xy", "yz", "zx"):
+                deck.says("expect", f"stress_{component} element={element} time={time:g}  0.0  "
+                          "abs=1e-6 (model: the same)")
+        q = p / bulk
+        energy = volume * bulk * (1.0 - math.exp(-q) * (1.0 + q))
+        deck.says("expect", f"internal_energy time={time:g}  {energy:.6g}  rel=5e-4 (model: the same)")
+    deck.says("expect", "energy_ratio range 0.0 abs=0.01 (order)")
+    common(deck, end + 0.5, interval=0.5)
+    histories(deck, end, elements=[1, 4, 8], interval=0.5)
+    deck.card("SECTION_SOLID", [1, 1])
+    deck.part(1, 1, 1)
+    elastic(deck, 1, 1.0, 1.0, 0.3)
+    deck.curve(1, [(0, 0), (2 * end, 2 * largest)])
+    deck.card("LOAD_SEGMENT_SET", [deck.segment_set(outer_faces(mesh)), 1, 1.0])
     deck.mesh(mesh)
     return deck
 

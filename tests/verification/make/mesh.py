@@ -59,6 +59,35 @@ def _volume(mesh, nodes):
     return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6
 
 
+CORNERS = [(-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)]
+FACES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]   # seen from outside
+
+
+def hexahedron_volume(points):
+    """Volume of a trilinear hexahedron; 2 x 2 x 2 points are exact."""
+    total = 0.0
+    for at in itertools.product((-1 / math.sqrt(3), 1 / math.sqrt(3)), repeat=3):
+        j = [[0.0] * 3 for _ in range(3)]
+        for corner, p in zip(CORNERS, points):
+            f = [1 + c * x for c, x in zip(corner, at)]
+            for k, g in enumerate((corner[0] * f[1] * f[2], corner[1] * f[0] * f[2], corner[2] * f[0] * f[1])):
+                for i in range(3):
+                    j[i][k] += g * p[i] / 8
+        total += (j[0][0] * (j[1][1] * j[2][2] - j[1][2] * j[2][1]) - j[0][1] * (j[1][0] * j[2][2] - j[1][2] * j[2][0])
+                  + j[0][2] * (j[1][0] * j[2][1] - j[1][1] * j[2][0]))
+    return total
+
+
+def outer_faces(hexes):
+    """Faces that belong to one hexahedron only, counter-clockwise seen from outside."""
+    count = {}
+    for _, nodes in hexes.elements:
+        for face in FACES:
+            key = tuple(sorted(nodes[a] for a in face))
+            count.setdefault(key, []).append([nodes[a] for a in face])
+    return [faces[0] for faces in count.values() if len(faces) == 1]
+
+
 def mirrored(hexes):
     """The same hexahedra with their node order mirrored, so that the diagonals of a split run the other way. They are
     left-handed: only to be cut into tetrahedra."""
