@@ -6,10 +6,11 @@ target_compile_options(cleave_flags INTERFACE
   -fno-math-errno -fno-trapping-math)        # neither changes a result; both free the vectoriser
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # Warnings are errors with the compiler the project is built with; Clang speaks through `./x check`.
-  # A mask of lanes has no && and ||; with a plain double in its place the same line joins two bools by & and |.
-target_compile_options(cleave_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
-# GCC 12 takes its own AVX-512 headers for uses of uninitialised values (its bug 105593).
+  # GCC 12 takes its own AVX-512 headers for uses of uninitialised values (its bug 105593).
   target_compile_options(cleave_flags INTERFACE -Werror -Wno-uninitialized -Wno-maybe-uninitialized)
+else()
+  # A mask of lanes has no && and ||; with a plain double in its place the same line joins two bools by & and |.
+  target_compile_options(cleave_flags INTERFACE -Wno-bitwise-instead-of-logical)
 endif()
 if(CLEAVE_ARCH)
   target_compile_options(cleave_flags INTERFACE -march=${CLEAVE_ARCH})

@@ -9,3 +9,5 @@ add_custom_command(
   COMMAND Python3::Interpreter ${CMAKE_SOURCE_DIR}/cmake/embed_examples.py ${CMAKE_SOURCE_DIR}/examples ${embedded}
   DEPENDS ${CMAKE_SOURCE_DIR}/cmake/embed_examples.py ${example_decks})
 target_sources(cleave_app PRIVATE ${embedded})
+add_custom_target(generated_examples DEPENDS ${embedded})
+add_dependencies(generated generated_examples)

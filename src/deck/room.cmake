@@ -9,3 +9,5 @@ add_custom_command(
   COMMENT "Writing the card table"
   VERBATIM)
 target_sources(cleave_deck PRIVATE ${card_table})
+add_custom_target(generated_card_table DEPENDS ${card_table})
+add_dependencies(generated generated_card_table)

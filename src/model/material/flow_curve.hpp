@@ -34,9 +34,11 @@ struct FlowCurve {
                         std::string& problem);
 };
 
-/// Shares of the curves of a family in the flow stress at one rate.
+/// Shares of the curves of a family in the flow stress at one rate; no rows for a single curve. The shares
+/// themselves are set only as far as there are rows: this is made once per point and step.
 template <class Real>
 struct RowShares {
+  int rows = 0;
   Real share[FlowCurve::most_rows];
 };
 
@@ -47,9 +49,12 @@ void share_rows(const FlowCurve& curve, const Real& rate, RowShares<Real>& share
   const Real zero(0.0), one(1.0);
   const Real at = curve.logarithmic ? log(positive(rate)) : rate;
   const Real inner = curve.logarithmic ? one / positive(rate) : one;
+  shares.rows = rows;
   for (int r = 0; r < rows; ++r) shares.share[r] = zero;
-  if (slopes)
+  if (slopes) {
+    slopes->rows = rows;
     for (int r = 0; r < rows; ++r) slopes->share[r] = zero;
+  }
   shares.share[0] = one;
   for (int r = 0; r + 1 < rows; ++r) {
     const double width = 1.0 / (curve.rate[r + 1] - curve.rate[r]);
@@ -67,10 +72,10 @@ void share_rows(const FlowCurve& curve, const Real& rate, RowShares<Real>& share
 /// The value at point k of the table `of`, weighted over the rows.
 template <class Real>
 Real weighted(const FlowCurve& curve, const std::vector<double>& of, const RowShares<Real>& shares, int k) {
-  if (curve.rate.empty()) return Real(of[k]);
+  if (shares.rows == 0) return Real(of[k]);
   const int points = curve.point_count();
   Real sum = shares.share[0] * Real(of[k]);
-  for (int r = 1; r < curve.row_count(); ++r) sum = sum + shares.share[r] * Real(of[r * points + k]);
+  for (int r = 1; r < shares.rows; ++r) sum = sum + shares.share[r] * Real(of[r * points + k]);
   return sum;
 }
 
