@@ -13,8 +13,9 @@ namespace {
 using base::lane_count;
 using base::Lanes;
 
-/// R rows by V lanes of c += sign a b, held in registers. a(i, k) = a[i * by_row + k * by_column].
-template <int R, int V>
+/// R rows by V lanes of c = sign a b or c += sign a b, held in registers. a(i, k) = a[i * by_row + k *
+/// by_column].
+template <bool Add, int R, int V>
 void micro(int depth, double sign, const double* a, std::ptrdiff_t by_row, std::ptrdiff_t by_column,
            const double* b, std::ptrdiff_t b_stride, double* c, std::ptrdiff_t c_stride) {
   Lanes sum[R][V];
@@ -31,41 +32,53 @@ void micro(int depth, double sign, const double* a, std::ptrdiff_t by_row, std::
   for (int i = 0; i < R; ++i)
     for (int v = 0; v < V; ++v) {
       double* at = c + i * c_stride + v * lane_count;
-      fma(Lanes(sign), sum[i][v], Lanes::load(at)).store(at);
+      (Add ? fma(Lanes(sign), sum[i][v], Lanes::load(at)) : Lanes(sign) * sum[i][v]).store(at);
     }
 }
 
-template <int V>
+template <bool Add, int V>
 void row_band(int rows, int depth, double sign, const double* a, std::ptrdiff_t by_row,
               std::ptrdiff_t by_column, const double* b, std::ptrdiff_t b_stride, double* c,
               std::ptrdiff_t c_stride) {
   int i = 0;
   for (; i + 8 <= rows; i += 8)
-    micro<8, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
-  for (; i + 4 <= rows; i += 4)
-    micro<4, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
-  for (; i < rows; ++i)
-    micro<1, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
+    micro<Add, 8, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
+  const auto rest = [&]<int R>() {
+    micro<Add, R, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
+  };
+  switch (rows - i) {
+    case 1:
+      return rest.template operator()<1>();
+    case 2:
+      return rest.template operator()<2>();
+    case 3:
+      return rest.template operator()<3>();
+    case 4:
+      return rest.template operator()<4>();
+    case 5:
+      return rest.template operator()<5>();
+    case 6:
+      return rest.template operator()<6>();
+    case 7:
+      return rest.template operator()<7>();
+    default:
+      return;
+  }
 }
 
-/// c += sign a b over whole lanes of columns; `width` is a multiple of eight.
+/// c += sign a b, or c = sign a b, over whole lanes of columns; `width` is a multiple of eight.
+template <bool Add = true>
 void product(int rows, int width, int depth, double sign, const double* a, std::ptrdiff_t by_row,
              std::ptrdiff_t by_column, const double* b, std::ptrdiff_t b_stride, double* c,
              std::ptrdiff_t c_stride) {
-  if (depth <= 0 || rows <= 0) return;
+  if (rows <= 0 || (Add && depth <= 0)) return;
   int j = 0;
   for (; j + 24 <= width; j += 24)
-    row_band<3>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
+    row_band<Add, 3>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
   for (; j + 16 <= width; j += 16)
-    row_band<2>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
+    row_band<Add, 2>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
   for (; j < width; j += 8)
-    row_band<1>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
-}
-
-/// y += s x over whole lanes.
-void axpy(int width, double s, const double* x, double* y) {
-  for (int j = 0; j < width; j += lane_count)
-    fma(Lanes(s), Lanes::load(x + j), Lanes::load(y + j)).store(y + j);
+    row_band<Add, 1>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
 }
 
 constexpr int panel = 16;
@@ -77,6 +90,12 @@ void Arena::Free::operator()(double* p) const {
 }
 
 double* Arena::take(std::size_t count) {
+  double* at = take_raw(count);
+  std::memset(at, 0, count * sizeof(double));
+  return at;
+}
+
+double* Arena::take_raw(std::size_t count) {
   count = (count + 7) / 8 * 8;
   if (used_ + count > room_) {
     room_ = std::max<std::size_t>(count, std::max<std::size_t>(capacity_, 4096));
@@ -87,7 +106,6 @@ double* Arena::take(std::size_t count) {
   }
   double* at = chunks_.back().get() + used_;
   used_ += count;
-  std::memset(at, 0, count * sizeof(double));
   return at;
 }
 
@@ -107,12 +125,30 @@ Block take(Arena& arena, int rows, int columns) {
           stride};
 }
 
+Block take_raw(Arena& arena, int rows, int columns) {
+  const int stride = padded(columns);
+  return {arena.take_raw(static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride)), rows, columns,
+          stride};
+}
+
 void multiply_add(double sign, const Block& a, const Block& b, const Block& c) {
   product(c.rows, c.stride, a.columns, sign, a.data, a.stride, 1, b.data, b.stride, c.data, c.stride);
 }
 
 void multiply_transposed_add(const Block& a, const Block& b, const Block& c) {
   product(c.rows, c.stride, a.rows, 1.0, a.data, 1, a.stride, b.data, b.stride, c.data, c.stride);
+}
+
+void multiply_transposed_add(double scale, const Block& a, const Block& b, const Block& c) {
+  product(c.rows, c.stride, a.rows, scale, a.data, 1, a.stride, b.data, b.stride, c.data, c.stride);
+}
+
+void multiply(const Block& a, const Block& b, const Block& c) {
+  product<false>(c.rows, c.stride, a.columns, 1.0, a.data, a.stride, 1, b.data, b.stride, c.data, c.stride);
+}
+
+void multiply_transposed(const Block& a, const Block& b, const Block& c) {
+  product<false>(c.rows, c.stride, a.rows, 1.0, a.data, 1, a.stride, b.data, b.stride, c.data, c.stride);
 }
 
 bool factor(const Block& a, int* pivot) {

@@ -2,8 +2,11 @@
 /// Small dense algebra of the patch solver: row-major blocks whose rows are padded to whole lanes.
 
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <vector>
+
+#include "base/lanes.hpp"
 
 namespace cleave::discretisation::spacetime {
 
@@ -18,7 +21,8 @@ class Arena {
  public:
   /// `count` doubles on a 64-byte boundary, all zero.
   double* take(std::size_t count);
-  void release();  ///< all of it
+  double* take_raw(std::size_t count);  ///< the same, not cleared: for what is written whole
+  void release();                       ///< all of it
   std::size_t capacity() const { return capacity_; }
 
  private:
@@ -30,6 +34,21 @@ class Arena {
   std::size_t used_ = 0, room_ = 0, capacity_ = 0;
 };
 
+/// Loads and stores of lanes at any address.
+inline base::Lanes load_any(const double* from) {
+  base::Lanes r;
+  std::memcpy(&r.v, from, sizeof r.v);
+  return r;
+}
+inline void store_any(base::Lanes x, double* to) {
+  std::memcpy(to, &x.v, sizeof x.v);
+}
+/// y += s x over whole lanes, both aligned.
+inline void axpy(int width, double s, const double* x, double* y) {
+  for (int j = 0; j < width; j += base::lane_count)
+    fma(base::Lanes(s), base::Lanes::load(x + j), base::Lanes::load(y + j)).store(y + j);
+}
+
 /// A matrix inside an arena. Row i starts at data + i * stride; columns from `columns` to `stride` are zero.
 struct Block {
   double* data = nullptr;
@@ -37,11 +56,19 @@ struct Block {
   double* row(int i) const { return data + static_cast<std::ptrdiff_t>(i) * stride; }
 };
 Block take(Arena& arena, int rows, int columns);
+/// The same, not cleared: for what is written whole. Padding may hold anything.
+Block take_raw(Arena& arena, int rows, int columns);
 
 /// c += sign a b.
 void multiply_add(double sign, const Block& a, const Block& b, const Block& c);
 /// c += a^T b.
 void multiply_transposed_add(const Block& a, const Block& b, const Block& c);
+/// c += scale a^T b.
+void multiply_transposed_add(double scale, const Block& a, const Block& b, const Block& c);
+/// c = a b.
+void multiply(const Block& a, const Block& b, const Block& c);
+/// c = a^T b.
+void multiply_transposed(const Block& a, const Block& b, const Block& c);
 
 /// LU with partial pivoting in place. False if a pivot vanishes. @param pivot [rows]
 bool factor(const Block& a, int* pivot);

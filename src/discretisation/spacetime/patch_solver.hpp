@@ -66,16 +66,45 @@ class PatchSolver {
  private:
   static constexpr int NU = state_count<D>;
   static constexpr int body_points = 2;  ///< points per direction added for a body force that varies
-  /// One side of a facet: functionals on the element's unknowns, `components` times `modes` of them.
+  /// Linear combinations of the state components on a facet: row r of the first `rows` gives one function.
+  using Combination = Matrix<NU>;
+  /// The functions of an element seen from a facet.
   struct Side {
-    int element = -1, components = 0;
-    Block modes;              ///< [mode][polynomials]: coefficients of the facet functions of each phi_a
-    Matrix<NU> projection{};  ///< [component][state component]
-    Block trace;              ///< [components * modes][unknowns]; no data while the Kronecker form serves
+    int element = -1;
+    int opposite = -1;   ///< local number of the facet in the element, -1 if its corners do not match
+    int count = 0;       ///< modes, or points
+    double scale = 0.0;  ///< of all functions: 1 / sqrt(volume)
+    Block modes;         ///< [functions][count] of the functions under the element's span, or of its phi_a
+    Block trace;         ///< [NU * count][unknowns]; no data for three fields, which are modes x components
   };
-  struct FacetRule {
-    const SimplexRule* rule = nullptr;
-    Block weighted;  ///< [point][facet polynomials], times the weight
+  /// Functionals of an element's unknowns on a facet: written out, or as a combination for three fields.
+  struct Functional {
+    int rows = 0, count = 0;
+    Block full;  ///< [rows * count][unknowns]; no data: combination of the modes
+    Combination combination{};
+    Block modes;  ///< of the side
+  };
+  /// One side of an interior facet that contains the pole. The side learns `receive` waves from the other and
+  /// sends its own: all that two elements know of each other.
+  struct Link {
+    int element = -1;
+    int wave = -1;       ///< 2 * facet + side: number of what this side sends; wave ^ 1 is what it receives
+    Functional lift;     ///< K_element,other x_other = scale lift^T (what the other sends)
+    Functional emit;     ///< what this side sends
+    double scale = 1.0;  ///< of the lift
+  };
+  /// Elements joined to one: waves out = h - S waves in, over the facets that are still open.
+  struct Open {
+    int wave = -1;            ///< that goes out
+    int row = 0, column = 0;  ///< its rows of S, and the columns of the wave that comes in
+    int out = 0, in = 0;      ///< their numbers
+  };
+  struct Component {
+    std::vector<Open> open, shared;  ///< shared: facets closed when its two parts were joined
+    Block s;                         ///< [waves out][waves in, h]
+    int first = -1, second = -1;     ///< the parts
+    Block from_first, from_second;   ///< waves of the shared facets: [waves][waves in, h], h - G waves in
+    bool joined = false;
   };
 
   SpaceChoice choice(const PatchElement<D>& element, std::size_t index,
@@ -85,6 +114,11 @@ class PatchSolver {
   int points_per_direction(const Facet<D>& facet, const Solution<D>* older = nullptr) const;
   void facet_points(const Facet<D>& facet, const SimplexRule& rule) const;
   void older_states(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older) const;
+  /// Modes on an inflow facet of a solution next to it, or of the initial state: D rows of u, then v and
+  /// strain energy-scaled, each padded(count) long, zero beyond count. @param degree of what they are tested
+  /// with, where the state is not a polynomial
+  double* trace_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older, int degree,
+                      int count);
   double star_values(const Facet<D>& facet, std::span<const Solution<D>> solution) const;
   bool is_vertical(const Facet<D>& facet) const;
   /// An interior facet may be listed by both its elements; it is worked on once, for the first of them.
@@ -95,17 +129,25 @@ class PatchSolver {
   Interface<D> interface_of(const Facet<D>& facet) const;
   Matrix<NU> scaled_flux(const Facet<D>& facet) const;
 
-  Block& block(int row, int column);
   void assemble_volume(int e);
   void assemble_inflow(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older);
   void assemble_vertical(const Facet<D>& facet, std::span<const Solution<D>> now);
   PatchStatus assemble_tilted(const Facet<D>& facet);
-  Side side(int element, const FacetRule& rule, bool at_points);
-  void project_traces(Side& s, const Vector<D>& n) const;
-  void expand(Side& s);
-  void couple(const Side& row, const Side& column, std::span<const Matrix<NU>> factor);
-  void load(const Side& row, const double* coefficients);
+  Side side(int element, const Facet<D>& facet, const FacetRule& rule, bool at_points);
+  void trace(Side& s);
+  Functional functional(const Side& s, std::span<const Combination> c, int rows, int count, bool in_full);
+  /// K_element += scale a^T b.
+  void add(const Side& s, const Functional& a, const Functional& b, double scale);
+  /// rhs += scale a^T data. @param data [rows][padded(count)], zero beyond count
+  void load(int element, const Functional& a, double scale, const double* data);
+  Block written(const Functional& a, int element);
+  int new_link(int element);
+  void sum_tables(int e);
+  bool condense(int e);
+  void emitted(const Link& link, const Block& b, const Block& out);
+  bool join(int first, int second);
   bool eliminate();
+  void keep();
 
   void displacements(const Patch<D>& patch, std::span<const Solution<D>* const> older,
                      std::span<Solution<D>> out);
@@ -119,11 +161,24 @@ class PatchSolver {
   std::map<std::pair<int, int>, std::unique_ptr<TrefftzTable<D>>> tables_;  ///< by material and degree
   Arena arena_;
   std::vector<ElementSpace<D>> elements_;
-  int count_ = 0;              ///< elements of this patch
-  std::vector<Block> blocks_;  ///< [row][column] of elements; no data where the matrix is zero
-  std::vector<Block> rhs_;
-  std::vector<int> pivot_, order_, group_;
-  std::vector<char> done_;
+  int count_ = 0;  ///< elements of this patch
+  /// A matrix of components times a constant table: terms of a three-field element's own matrix.
+  struct Term {
+    Matrix<NU> factor;
+    Block table;
+  };
+  std::vector<Block> own_;               ///< [element] K, later factored
+  std::vector<double*> rhs_;             ///< [element] [unknowns], padded
+  std::vector<std::vector<Term>> term_;  ///< [element]
+  std::vector<Link> links_;
+  int link_count_ = 0;
+  std::vector<std::vector<int>> links_of_;  ///< [element]
+  std::vector<Component> components_;       ///< elements first
+  int component_count_ = 0;
+  std::vector<Block> response_;  ///< [element] K^-1 (lifts of the waves that come in, rhs)
+  std::vector<double*> wave_;    ///< what comes in
+  std::vector<int> wave_width_, owner_;
+  std::vector<int> pivot_, group_;
   std::vector<double> matrix_;
   int unknowns_ = 0, iterations_ = 0;
   double flops_ = 0.0, star_change_ = 0.0, star_size_ = 0.0;
@@ -135,7 +190,7 @@ class PatchSolver {
   mutable std::vector<StarMap<D>> maps_;
   mutable std::vector<Star<D>> loads_;
   std::vector<Star<D>> stars_;  ///< of the nonlinear facets in the iterate before
-  std::vector<Matrix<NU>> factors_;
+  std::vector<Combination> combination_[2];
 };
 
 }  // namespace cleave::discretisation::spacetime

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "discretisation/spacetime/basis.hpp"
+#include "discretisation/spacetime/basis_facet.hpp"
 #include "discretisation/spacetime/patch_solver.hpp"
 
 namespace cleave::discretisation::spacetime {
@@ -36,38 +36,44 @@ void PatchSolver<D>::rigid_motion(const Patch<D>& patch, int e, std::span<const 
   constexpr int r = rigid_count<D>;
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
   const Block normal = take(arena_, r, r), rhs = take(arena_, r, 1);
+  const int nu = polynomial_count(D + 1, out.displacement_degree);
   for (std::size_t f = 0; f < patch.facets.size(); ++f) {
     const Facet<D>& facet = patch.facets[f];
     if (facet.kind != FacetKind::inflow || facet.element != e) continue;
-    const int degree = std::max(out.displacement_degree, older[f] ? older[f]->displacement_degree : 0);
-    const SimplexRule& rule = *facet_rule(degree + 1).rule;
-    facet_points(facet, rule);
-    older_states(patch, facet, older[f]);
-    other_states_.resize(points_.size());
-    out.at(points_, other_states_);
-    for (std::size_t q = 0; q < points_.size(); ++q) {
-      const double weight = rule.weight[q] * std::fabs(facet.normal[D]);
-      double mode[r][D] = {};
-      for (int i = 0, k = D; i < D; ++i) {
-        mode[i][i] = 1.0;
-        for (int j = i + 1; j < D; ++j, ++k) {
-          mode[k][i] = (points_[q][j] - space.centre[j]) / space.length;
-          mode[k][j] = -(points_[q][i] - space.centre[i]) / space.length;
+    // Both displacements and the rigid motions in the polynomials of degree one on the facet.
+    const double *before = trace_modes(patch, facet, older[f], out.displacement_degree, D + 1),
+                 *now = trace_modes(patch, facet, &out, out.displacement_degree, D + 1);
+    const double weight = std::fabs(facet.normal[D]);
+    constexpr int stride = padded(D + 1);
+    double mode[r][D][D + 1] = {};
+    for (int c = 0; c <= D; ++c)
+      for (int l = 0; l <= D; ++l) {
+        const double share = Basis<D>::get().linear(l)[c];
+        const Event<D>& y = facet.corner[static_cast<std::size_t>(l)];
+        for (int i = 0, k = D; i < D; ++i) {
+          mode[i][i][c] += share;
+          for (int j = i + 1; j < D; ++j, ++k) {
+            mode[k][i][c] += share *
+                             (y[static_cast<std::size_t>(j)] - space.centre[static_cast<std::size_t>(j)]) /
+                             space.length;
+            mode[k][j][c] -= share *
+                             (y[static_cast<std::size_t>(i)] - space.centre[static_cast<std::size_t>(i)]) /
+                             space.length;
+          }
         }
       }
-      for (int k = 0; k < r; ++k)
-        for (int i = 0; i < D; ++i) {
-          rhs.row(k)[0] += weight * mode[k][i] * (states_[q].u[i] - other_states_[q].u[i]);
-          for (int l = 0; l < r; ++l) normal.row(k)[l] += weight * mode[k][i] * mode[l][i];
+    for (int k = 0; k < r; ++k)
+      for (int i = 0; i < D; ++i)
+        for (int c = 0; c <= D; ++c) {
+          rhs.row(k)[0] += weight * mode[k][i][c] * (before[i * stride + c] - now[i * stride + c]);
+          for (int l = 0; l < r; ++l) normal.row(k)[l] += weight * mode[k][i][c] * mode[l][i][c];
         }
-    }
   }
   int pivot[r];
   if (!factor(normal, pivot)) return;  // an element without inflow is refused before
   spacetime::solve(normal, pivot, rhs);
 
   const auto& basis = Basis<D + 1>::get();
-  const int nu = polynomial_count(D + 1, out.displacement_degree);
   for (int a = 0; a < D + 2; ++a) {
     double one = 0.0, coordinate[D] = {};
     for (int l = 0; l < D + 2; ++l) {
@@ -126,6 +132,21 @@ void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::
     if (at < 0) continue;
     const int giver = facet.kind == FacetKind::inflow ? -1 : (receives ? facet.neighbour : facet.element);
     const ElementSpace<D>& space = elements_[static_cast<std::size_t>(receiver)];
+    if (const int opposite = giver < 0 ? space.opposite(facet.corner) : -1; opposite >= 0) {
+      const Block &mass = FacetBasis<D>::get().mass(opposite), &modes = FacetBasis<D>::get().modes(opposite);
+      const int n = space.polynomials, count = polynomial_count(D, space.degree), stride = padded(count);
+      const double weight = std::fabs(facet.normal[D]),
+                   *u = trace_modes(patch, facet, older[f], space.degree, count);
+      for (int a = 0; a < n; ++a) {
+        for (int b = 0; b < n; ++b) matrix.row(at + a)[at + b] += weight * mass.row(a)[b];
+        for (int i = 0; i < D; ++i) {
+          double sum = 0.0;
+          for (int c = 0; c < count; ++c) sum += modes.row(a)[c] * u[i * stride + c];
+          rhs.row(at + a)[i] += weight * sum;
+        }
+      }
+      continue;
+    }
     int degree = space.degree;
     if (older[f] && giver < 0) degree = std::max(degree, older[f]->displacement_degree);
     if (giver >= 0) degree = std::max(degree, elements_[static_cast<std::size_t>(giver)].choice.degree);

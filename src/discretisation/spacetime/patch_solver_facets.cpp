@@ -2,145 +2,148 @@
 #include <algorithm>
 #include <cmath>
 
-#include "discretisation/spacetime/basis.hpp"
+#include "discretisation/spacetime/basis_facet.hpp"
 #include "discretisation/spacetime/patch_solver.hpp"
 
 namespace cleave::discretisation::spacetime {
+namespace {
 
-/// A_N in the energy-scaled fields of the facet's element: N_t + N_j A^j.
+using base::lane_count;
+using base::Lanes;
+
+template <int N>
+Matrix<N> scaled(const Matrix<N>& a, double s) {
+  Matrix<N> b = a;
+  for (auto& row : b)
+    for (double& x : row) x *= s;
+  return b;
+}
+
+/// sum_r a_r b_r^T over the first `rows` rows.
+template <int N>
+Matrix<N> outer(const Matrix<N>& a, const Matrix<N>& b, int rows) {
+  Matrix<N> m{};
+  for (int r = 0; r < rows; ++r)
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) m[i][j] += a[r][i] * b[r][j];
+  return m;
+}
+
+}  // namespace
 
 template <int D>
-auto PatchSolver<D>::side(int element, const FacetRule& rule, bool at_points) -> Side {
+auto PatchSolver<D>::side(int element, const Facet<D>& facet, const FacetRule& rule, bool at_points) -> Side {
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(element)];
   const int points = rule.rule->points, n = space.polynomials;
   Side s;
   s.element = element;
-  s.components = NU;
-  for (int i = 0; i < NU; ++i) s.projection[i][i] = 1.0;
-  const double scale = 1.0 / std::sqrt(space.volume);
+  s.scale = 1.0 / std::sqrt(space.volume);
+  s.count = at_points ? points : polynomial_count(D, space.degree);
+  if (space.choice.space == LocalSpace::trefftz) {
+    s.modes = space.trefftz_modes(facet.corner, rule, at_points, arena_);
+    return s;
+  }
+  s.opposite = space.opposite(facet.corner);
+  if (!at_points && s.opposite >= 0) {
+    const Block& table = FacetBasis<D>::get().modes(s.opposite);
+    s.modes = {table.data, n, s.count, table.stride};
+    return s;
+  }
+  facet_points(facet, *rule.rule);
   const Block value = take(arena_, points, n);
-  for (int q = 0; q < points; ++q) {
-    const auto lambda = space.map(points_[static_cast<std::size_t>(q)]);
-    Basis<D + 1>::get().evaluate(lambda.data(), space.degree, value.row(q));
-    const double factor =
-        scale * (at_points ? std::sqrt(rule.rule->weight[static_cast<std::size_t>(q)]) : 1.0);
-    for (int a = 0; a < n; ++a) value.row(q)[a] *= factor;
+  for (int q = 0; q < points; ++q)
+    Basis<D + 1>::get().evaluate(space.map(points_[static_cast<std::size_t>(q)]).data(), space.degree,
+                                 value.row(q));
+  s.modes = take(arena_, n, s.count);
+  if (!at_points) {
+    multiply_transposed(value, rule.weighted, s.modes);
+    return s;
   }
-  if (at_points) {
-    s.modes = value;
-  } else {
-    s.modes = take(arena_, polynomial_count(D, space.degree), n);
-    multiply_transposed_add({rule.weighted.data, points, s.modes.rows, rule.weighted.stride}, value, s.modes);
-  }
+  for (int q = 0; q < points; ++q)
+    for (int a = 0; a < n; ++a)
+      s.modes.row(a)[q] = value.row(q)[a] * std::sqrt(rule.rule->weight[static_cast<std::size_t>(q)]);
   return s;
 }
 
-/// Keeps velocity and traction sigma n only, unscaled: all that a vertical facet sees.
-
+/// All components of the state on the facet as functionals of the unknowns, without the scale of the side.
 template <int D>
-void PatchSolver<D>::project_traces(Side& s, const Vector<D>& n) const {
-  const Elastic<D>& m = *elements_[static_cast<std::size_t>(s.element)].material;
-  const double root = std::sqrt(m.density);
-  s.projection = {};
-  s.components = 2 * D;
-  for (int i = 0; i < D; ++i) {
-    s.projection[i][i] = 1.0 / root;
-    for (int j = 0; j < D; ++j)
-      for (int k = 0; k < strain_count<D>; ++k) s.projection[D + i][D + k] += root * n[j] * m.flux[j][i][k];
-  }
-}
-
-/// Writes the functionals out as a matrix on the unknowns.
-
-template <int D>
-void PatchSolver<D>::expand(Side& s) {
-  if (s.trace.data) return;
+void PatchSolver<D>::trace(Side& s) {
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(s.element)];
-  const int n = space.polynomials, modes = s.modes.rows;
-  s.trace = take(arena_, s.components * modes, space.unknowns);
-  const Block part = space.span.data ? take(arena_, modes, space.unknowns) : Block{};
-  for (int alpha = 0; alpha < NU; ++alpha) {
-    bool used = false;
-    for (int r = 0; r < s.components; ++r) used = used || s.projection[r][alpha] != 0.0;
-    if (!used) continue;
-    if (part.data) {
-      std::fill_n(part.data, part.rows * part.stride, 0.0);
-      multiply_add(1.0, s.modes, {space.span.row(alpha * n), n, space.unknowns, space.span.stride}, part);
-    }
-    for (int r = 0; r < s.components; ++r) {
-      const double p = s.projection[r][alpha];
-      if (p == 0.0) continue;
-      for (int c = 0; c < modes; ++c) {
-        double* to = s.trace.row(r * modes + c);
-        if (part.data)
-          for (int k = 0; k < part.stride; ++k) to[k] += p * part.row(c)[k];
-        else
-          for (int a = 0; a < n; ++a) to[alpha * n + a] += p * s.modes.row(c)[a];
-      }
-    }
-  }
-}
-
-/// K(row, column) += row^T factor column; one factor for all modes, or one for each.
-
-template <int D>
-void PatchSolver<D>::couple(const Side& row, const Side& column, std::span<const Matrix<NU>> factor) {
-  const Block& k = block(row.element, column.element);
-  const int modes = std::min(row.modes.rows, column.modes.rows);
-  if (!row.trace.data && !column.trace.data) {  // both three-field: coefficients times one scalar matrix
-    const Block mass = take(arena_, row.modes.columns, column.modes.columns);
-    multiply_transposed_add({row.modes.data, modes, row.modes.columns, row.modes.stride},
-                            {column.modes.data, modes, column.modes.columns, column.modes.stride}, mass);
-    Matrix<NU> half{}, whole{};
-    for (int r = 0; r < row.components; ++r)
-      for (int s = 0; s < column.components; ++s)
-        for (int b = 0; b < NU; ++b) half[r][b] += factor[0][r][s] * column.projection[s][b];
-    for (int a = 0; a < NU; ++a)
-      for (int r = 0; r < row.components; ++r)
-        for (int b = 0; b < NU; ++b) whole[a][b] += row.projection[r][a] * half[r][b];
-    for (int a = 0; a < NU; ++a)
-      for (int i = 0; i < mass.rows; ++i) {
-        double* to = k.row(a * mass.rows + i);
-        const double* from = mass.row(i);
-        for (int b = 0; b < NU; ++b) {
-          const double f = whole[a][b];
-          if (f == 0.0) continue;
-          for (int j = 0; j < mass.columns; ++j) to[b * mass.columns + j] += f * from[j];
-        }
-      }
-    return;
-  }
-  const Block weighted = take(arena_, row.trace.rows, column.trace.columns);
-  for (int r = 0; r < row.components; ++r)
-    for (int c = 0; c < modes; ++c) {
-      const Matrix<NU>& f = factor.size() == 1 ? factor[0] : factor[static_cast<std::size_t>(c)];
-      double* to = weighted.row(r * row.modes.rows + c);
-      for (int s = 0; s < column.components; ++s) {
-        if (f[r][s] == 0.0) continue;
-        const double* from = column.trace.row(s * column.modes.rows + c);
-        for (int j = 0; j < column.trace.stride; ++j) to[j] += f[r][s] * from[j];
-      }
-    }
-  multiply_transposed_add(row.trace, weighted, k);
-}
-
-/// rhs += row^T coefficients. @param coefficients [component][mode]
-
-template <int D>
-void PatchSolver<D>::load(const Side& row, const double* coefficients) {
-  const Block& r = rhs_[static_cast<std::size_t>(row.element)];
-  const int modes = row.modes.rows, n = row.modes.columns;
-  if (row.trace.data) {
-    for (int c = 0; c < row.trace.rows; ++c)
-      for (int k = 0; k < row.trace.columns; ++k) r.row(k)[0] += row.trace.row(c)[k] * coefficients[c];
-    return;
-  }
+  if (!space.span.data || s.trace.data) return;
+  s.trace = take_raw(arena_, NU * s.count, space.unknowns);
   for (int a = 0; a < NU; ++a)
-    for (int i = 0; i < row.components; ++i) {
-      if (row.projection[i][a] == 0.0) continue;
-      for (int c = 0; c < modes; ++c)
-        for (int k = 0; k < n; ++k)
-          r.row(a * n + k)[0] += row.projection[i][a] * row.modes.row(c)[k] * coefficients[i * modes + c];
+    multiply_transposed({s.modes.data, s.modes.rows, s.count, s.modes.stride},
+                        {space.span.row(a * s.modes.rows), s.modes.rows, space.unknowns, space.span.stride},
+                        {s.trace.row(a * s.count), s.count, space.unknowns, s.trace.stride});
+}
+
+/// The first `rows` combinations of the components in the first `count` modes; one combination for all modes
+/// or one for each. Three fields stay a combination unless `in_full`.
+template <int D>
+auto PatchSolver<D>::functional(const Side& s, std::span<const Combination> c, int rows, int count,
+                                bool in_full) -> Functional {
+  const ElementSpace<D>& space = elements_[static_cast<std::size_t>(s.element)];
+  Functional f{.rows = rows, .count = count, .full = {}, .combination = {}, .modes = s.modes};
+  if (!space.span.data && !in_full) {
+    f.combination = scaled<NU>(c[0], s.scale);
+    return f;
+  }
+  f.full = take(arena_, rows * count, space.unknowns);
+  for (int r = 0; r < rows; ++r)
+    for (int m = 0; m < count; ++m) {
+      const auto& row = c[c.size() == 1 ? 0 : static_cast<std::size_t>(m)][static_cast<std::size_t>(r)];
+      double* to = f.full.row(r * count + m);
+      for (int a = 0; a < NU; ++a) {
+        const double factor = s.scale * row[static_cast<std::size_t>(a)];
+        if (factor == 0.0) continue;
+        if (s.trace.data)
+          axpy(f.full.stride, factor, s.trace.row(a * s.count + m), to);
+        else
+          for (int k = 0; k < space.polynomials; ++k)
+            to[a * space.polynomials + k] += factor * s.modes.row(k)[m];
+      }
+    }
+  return f;
+}
+
+template <int D>
+void PatchSolver<D>::add(const Side& s, const Functional& a, const Functional& b, double scale) {
+  const auto e = static_cast<std::size_t>(s.element);
+  if (a.full.data) {
+    multiply_transposed_add(scale, a.full, b.full, own_[e]);
+    return;
+  }
+  Block mass;
+  if (s.opposite >= 0) {
+    mass = FacetBasis<D>::get().mass(s.opposite);
+  } else {
+    const Block transposed = take(arena_, s.count, s.modes.rows);
+    for (int k = 0; k < s.modes.rows; ++k)
+      for (int c = 0; c < s.count; ++c) transposed.row(c)[k] = s.modes.row(k)[c];
+    mass = take(arena_, s.modes.rows, s.modes.rows);
+    multiply_transposed_add(transposed, transposed, mass);
+  }
+  term_[e].push_back({scaled<NU>(outer<NU>(a.combination, b.combination, a.rows), scale), mass});
+}
+
+template <int D>
+void PatchSolver<D>::load(int element, const Functional& f, double scale, const double* data) {
+  double* rhs = rhs_[static_cast<std::size_t>(element)];
+  const int stride = padded(f.count);
+  if (f.full.data) {
+    for (int r = 0; r < f.rows; ++r)
+      for (int c = 0; c < f.count; ++c)
+        axpy(f.full.stride, scale * data[r * stride + c], f.full.row(r * f.count + c), rhs);
+    return;
+  }
+  const int n = elements_[static_cast<std::size_t>(element)].polynomials;
+  for (int r = 0; r < f.rows; ++r)
+    for (int k = 0; k < n; ++k) {
+      Lanes sum(0.0);
+      for (int c = 0; c < stride; c += lane_count)
+        sum = fma(Lanes::load(f.modes.row(k) + c), Lanes::load(data + r * stride + c), sum);
+      const double x = scale * base::sum(sum);
+      for (int a = 0; a < NU; ++a) rhs[a * n + k] += f.combination[r][a] * x;
     }
 }
 
@@ -149,43 +152,42 @@ void PatchSolver<D>::assemble_volume(int e) {
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
   const Elastic<D>& m = *space.material;
   const int n = space.polynomials;
-  const Block& k = block(e, e);
-  if (space.choice.space != LocalSpace::trefftz) {
-    const auto derivative = space.derivatives(space.degree, space.degree, arena_);
-    if (!space.span.data) {
-      const auto add = [&](int row, int column, double factor, const Block& d) {
-        for (int a = 0; factor != 0.0 && a < n; ++a)
-          for (int b = 0; b < n; ++b) k.row(row * n + a)[column * n + b] += factor * d.row(a)[b];
-      };
-      for (int i = 0; i < NU; ++i) add(i, i, 1.0, derivative[D]);
+  if (space.choice.space == LocalSpace::three_field) {
+    for (int l = 1; l <= D + 1; ++l) {
+      const auto& gradient = space.map.gradient[static_cast<std::size_t>(l - 1)];
+      Matrix<NU> a{};
+      for (int i = 0; i < NU; ++i) a[i][i] = gradient[D];
       for (int j = 0; j < D; ++j)
         for (int i = 0; i < D; ++i)
           for (int c = 0; c < strain_count<D>; ++c) {
-            add(i, D + c, -m.flux[j][i][c], derivative[j]);
-            add(D + c, i, -m.flux[j][i][c], derivative[j]);
+            a[i][D + c] -= gradient[static_cast<std::size_t>(j)] * m.flux[j][i][c];
+            a[D + c][i] -= gradient[static_cast<std::size_t>(j)] * m.flux[j][i][c];
           }
-    } else {
-      // Compatibility holds identically for derivatives of a displacement: momentum rows only.
-      const Block strain = take(arena_, n, space.unknowns);
-      for (int i = 0; i < D; ++i) {
-        const Block residual = take(arena_, n, space.unknowns);
-        const Block test{space.span.row(i * n), n, space.unknowns, space.span.stride};
-        multiply_add(1.0, derivative[D], test, residual);
-        for (int j = 0; j < D; ++j) {
-          std::fill_n(strain.data, strain.rows * strain.stride, 0.0);
-          for (int c = 0; c < strain_count<D>; ++c)
-            for (int a = 0; m.flux[j][i][c] != 0.0 && a < n; ++a)
-              for (int b = 0; b < space.unknowns; ++b)
-                strain.row(a)[b] += m.flux[j][i][c] * space.span.row((D + c) * n + a)[b];
-          multiply_add(-1.0, derivative[j], strain, residual);
-        }
-        multiply_transposed_add(test, residual, k);
+      term_[static_cast<std::size_t>(e)].push_back({a, FacetBasis<D>::get().weak(l)});
+    }
+  } else if (space.choice.space == LocalSpace::one_field) {
+    const Block& k = own_[static_cast<std::size_t>(e)];
+    const auto derivative = space.derivatives(space.degree, space.degree, arena_);
+    // Compatibility holds identically for derivatives of a displacement: momentum rows only.
+    const Block strain = take(arena_, n, space.unknowns);
+    for (int i = 0; i < D; ++i) {
+      const Block residual = take(arena_, n, space.unknowns);
+      const Block test{space.span.row(i * n), n, space.unknowns, space.span.stride};
+      multiply_add(1.0, derivative[D], test, residual);
+      for (int j = 0; j < D; ++j) {
+        std::fill_n(strain.data, strain.rows * strain.stride, 0.0);
+        for (int c = 0; c < strain_count<D>; ++c)
+          for (int a = 0; m.flux[j][i][c] != 0.0 && a < n; ++a)
+            for (int b = 0; b < space.unknowns; ++b)
+              strain.row(a)[b] += m.flux[j][i][c] * space.span.row((D + c) * n + a)[b];
+        multiply_add(-1.0, derivative[j], strain, residual);
       }
+      multiply_transposed_add(test, residual, k);
     }
   }
   if (!problem_.body_force) return;
   const SimplexRule& rule = simplex_rule(D + 1, space.degree + body_points);
-  const Block& rhs = rhs_[static_cast<std::size_t>(e)];
+  double* rhs = rhs_[static_cast<std::size_t>(e)];
   double phi[Basis<D + 1>::count];
   for (int q = 0; q < rule.points; ++q) {
     const double* lambda = &rule.barycentric[static_cast<std::size_t>(q * (D + 2))];
@@ -199,9 +201,9 @@ void PatchSolver<D>::assemble_volume(int e) {
     for (int i = 0; i < D; ++i)
       for (int a = 0; a < n; ++a) {
         const double f = scale * b[i] * phi[a];
-        if (!space.span.data) rhs.row(i * n + a)[0] += f;
+        if (!space.span.data) rhs[i * n + a] += f;
         for (int c = 0; space.span.data && c < space.unknowns; ++c)
-          rhs.row(c)[0] += f * space.span.row(i * n + a)[c];
+          rhs[c] += f * space.span.row(i * n + a)[c];
       }
   }
 }
@@ -209,38 +211,31 @@ void PatchSolver<D>::assemble_volume(int e) {
 template <int D>
 void PatchSolver<D>::assemble_inflow(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older) {
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(facet.element)];
-  const FacetRule& rule = facet_rule(points_per_direction(facet, older));
-  facet_points(facet, *rule.rule);
-  Side s = side(facet.element, rule, false);
-  if (space.span.data) expand(s);
-  Matrix<NU> a = scaled_flux(facet);
-  for (auto& row : a)
-    for (double& x : row) x = -x;
-  couple(s, s, {&a, 1});
+  const FacetRule& rule = facet_rule(space.degree + 1);
+  Side s = side(facet.element, facet, rule, false);
+  trace(s);
+  const Matrix<NU> a = scaled<NU>(scaled_flux(facet), -1.0);
+  Matrix<NU> one{};
+  for (int i = 0; i < NU; ++i) one[i][i] = 1.0;
+  Functional all;
+  if (s.trace.data)
+    all = {.rows = NU, .count = s.count, .full = s.trace, .combination = {}, .modes = s.modes};
+  else
+    all = functional(s, {&one, 1}, NU, s.count, false);
+  add(s, all, functional(s, {&a, 1}, NU, s.count, false), s.trace.data ? s.scale : 1.0);
 
-  older_states(patch, facet, older);
-  const int modes = s.modes.rows;
-  double* data = arena_.take(static_cast<std::size_t>(NU * modes));
-  const double root = std::sqrt(space.material->density);
-  for (std::size_t q = 0; q < points_.size(); ++q) {
-    std::array<double, NU> w{}, flux{};
-    for (int i = 0; i < D; ++i) w[i] = root * states_[q].v[i];
-    for (int c = 0; c < strain_count<D>; ++c)
-      for (int d = 0; d < strain_count<D>; ++d)
-        w[D + c] += space.material->to_energy[c][d] * states_[q].strain[d];
-    for (int i = 0; i < NU; ++i)
-      for (int j = 0; j < NU; ++j) flux[i] += a[i][j] * w[j];
-    for (int i = 0; i < NU; ++i)
-      for (int c = 0; c < modes; ++c)
-        data[i * modes + c] += flux[i] * rule.weighted.row(static_cast<int>(q))[c];
-  }
-  load(s, data);
+  const double* state = trace_modes(patch, facet, older, space.degree, s.count);
+  const int stride = padded(s.count);
+  double* data = arena_.take(static_cast<std::size_t>(NU * stride));
+  for (int i = 0; i < NU; ++i)
+    for (int j = 0; j < NU; ++j)
+      if (a[i][j] != 0.0) axpy(stride, a[i][j], state + (D + j) * stride, data + i * stride);
+  load(facet.element, all, s.trace.data ? s.scale : 1.0, data);
 }
 
-/// Fills points_, traces_, maps_ and loads_ for a vertical facet. Returns the spatial measure of the facet.
-
-/// Without a solution the traces are zero.
-
+/// With tau = Z v + s and c = s - Z v, both with the side's outward normal, the facet term of a side is
+/// tau^ . (v - v*): star values agree with the outgoing characteristic c, so that the rows of traction and of
+/// velocity are the same but for the impedance. v* depends on the other side through its c alone.
 template <int D>
 void PatchSolver<D>::assemble_vertical(const Facet<D>& facet, std::span<const Solution<D>> now) {
   const double area = star_values(facet, now);
@@ -260,81 +255,118 @@ void PatchSolver<D>::assemble_vertical(const Facet<D>& facet, std::span<const So
   const Interface<D> face = interface_of(facet);
   const int sides = facet.neighbour >= 0 ? 2 : 1;
   Side s[2];
-  bool kronecker = linear;
   for (int k = 0; k < sides; ++k) {
-    s[k] = side(k == 0 ? facet.element : facet.neighbour, rule, !linear);
-    project_traces(s[k], face.n);
-    kronecker = kronecker && !elements_[static_cast<std::size_t>(s[k].element)].span.data;
+    s[k] = side(k == 0 ? facet.element : facet.neighbour, facet, rule, !linear);
+    trace(s[k]);
   }
-  for (int k = 0; k < sides && !kronecker; ++k) expand(s[k]);
-
-  // Rows: v^ . (s - s*) + s^ . (v - v*), both with the same n; side plus sees the normal reversed.
+  const int shared = sides == 2 ? std::min(s[0].count, s[1].count) : 0;
   for (int k = 0; k < sides; ++k) {
-    const double sign = k == 0 ? area : -area;
-    for (int l = 0; l < sides; ++l) {
-      factors_.assign(maps_.size(), Matrix<NU>{});
-      for (std::size_t q = 0; q < maps_.size(); ++q)
-        for (int i = 0; i < D; ++i)
-          for (int c = 0; c < 2 * D; ++c) {
-            factors_[q][i][c] = sign * ((k == l && c == D + i ? 1.0 : 0.0) - maps_[q].map[i][2 * D * l + c]);
-            factors_[q][D + i][c] =
-                sign * ((k == l && c == i ? 1.0 : 0.0) - maps_[q].map[(1 + k) * D + i][2 * D * l + c]);
-          }
-      couple(s[k], s[l], factors_);
-    }
-    const int modes = s[k].modes.rows;
-    double* data = arena_.take(static_cast<std::size_t>(2 * D * modes));
-    for (int q = 0; q < rule.rule->points; ++q) {
-      const Star<D>& g = loads_[static_cast<std::size_t>(q)];
-      const double root = std::sqrt(rule.rule->weight[static_cast<std::size_t>(q)]);
-      for (int i = 0; i < D; ++i) {
-        const double traction = sign * g.s[i], velocity = sign * (k == 0 ? g.v_minus[i] : g.v_plus[i]);
-        if (!linear) {
-          data[i * modes + q] = root * traction, data[(D + i) * modes + q] = root * velocity;
-          continue;
-        }
-        for (int c = 0; c < modes; ++c) {
-          data[i * modes + c] += traction * rule.weighted.row(q)[c];
-          data[(D + i) * modes + c] += velocity * rule.weighted.row(q)[c];
-        }
+    const Elastic<D>& m = *elements_[static_cast<std::size_t>(s[k].element)].material;
+    const double root = std::sqrt(m.density), out = k == 0 ? 1.0 : -1.0;
+    const Matrix<D>& z = k == 0 ? face.z_minus : face.z_plus;
+    Matrix<D, NU> velocity{}, traction{};  // traction on the side's own outward normal
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) {
+        velocity[i][i] = 1.0 / root;
+        for (int c = 0; c < strain_count<D>; ++c)
+          traction[i][D + c] += out * root * face.n[j] * m.flux[j][i][c];
       }
     }
-    load(s[k], data);
+    Combination tau{};
+    Matrix<D, NU> c{};
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < NU; ++a) {
+        double zv = 0.0;
+        for (int j = 0; j < D; ++j) zv += z[i][j] * velocity[j][a];
+        tau[i][a] = traction[i][a] + zv, c[i][a] = traction[i][a] - zv;
+      }
+    for (auto& list : combination_) list.assign(maps_.size(), Combination{});
+    for (std::size_t q = 0; q < maps_.size(); ++q)
+      for (int i = 0; i < D; ++i)
+        for (int a = 0; a < NU; ++a) {
+          double own = velocity[i][a], sent = 0.0;
+          for (int j = 0; j < D; ++j) {
+            // The map knows tractions on the normal of side minus.
+            own -= out * maps_[q].map[(1 + k) * D + i][2 * D * k + D + j] * c[j][a];
+            if (sides == 2) sent -= out * maps_[q].map[(2 - k) * D + i][2 * D * k + D + j] * c[j][a];
+          }
+          combination_[0][q][i][a] = own, combination_[1][q][i][a] = sent;
+        }
+    const Functional test = functional(s[k], {&tau, 1}, D, s[k].count, !linear);
+    add(s[k], test, functional(s[k], combination_[0], D, s[k].count, !linear), area);
+    if (sides == 2) {
+      Link& l = links_[static_cast<std::size_t>(new_link(s[k].element))];
+      l.scale = area;
+      l.lift = shared == s[k].count ? test : functional(s[k], {&tau, 1}, D, shared, !linear);
+      l.emit = functional(s[k], combination_[1], D, shared, !linear);
+    }
+    if (facet.boundary < 0) continue;  // bonded: star values depend on traces alone
+    const int stride = padded(s[k].count);
+    double* data = arena_.take(static_cast<std::size_t>(D * stride));
+    for (int q = 0; q < rule.rule->points; ++q) {
+      const Star<D>& g = loads_[static_cast<std::size_t>(q)];
+      for (int i = 0; i < D; ++i) {
+        const double v = k == 0 ? g.v_minus[i] : g.v_plus[i];
+        if (!linear)
+          data[i * stride + q] = std::sqrt(rule.rule->weight[static_cast<std::size_t>(q)]) * v;
+        else
+          for (int j = 0; j < s[k].count; ++j) data[i * stride + j] += v * rule.weighted.row(q)[j];
+      }
+    }
+    load(s[k].element, test, area, data);
   }
 }
 
+/// The next side of an interior facet; the two sides of a facet follow each other.
+template <int D>
+int PatchSolver<D>::new_link(int element) {
+  if (links_.size() <= static_cast<std::size_t>(link_count_)) links_.resize(links_.size() + 16);
+  links_of_[static_cast<std::size_t>(element)].push_back(link_count_);
+  Link& l = links_[static_cast<std::size_t>(link_count_)];
+  l = {};
+  l.element = element, l.wave = link_count_;
+  return link_count_++;
+}
+
 /// Tilted facet inside one material: upwinding in the eigenvectors of A_N, which lets modes faster than the
-
 /// facet pass both ways and carries the others along.
-
 template <int D>
 PatchStatus PatchSolver<D>::assemble_tilted(const Facet<D>& facet) {
   const ElementSpace<D>&minus = elements_[static_cast<std::size_t>(facet.element)],
         &plus = elements_[static_cast<std::size_t>(facet.neighbour)];
   if (minus.material != plus.material || !target(facet).linear()) return PatchStatus::tilted_interface;
   const FacetRule& rule = facet_rule(points_per_direction(facet));
-  facet_points(facet, *rule.rule);
-  Matrix<NU> work = scaled_flux(facet), vector{}, up{}, down{}, minus_up, minus_down;
+  Matrix<NU> work = scaled_flux(facet), vector{};
   std::array<double, NU> value{};
   symmetric_eigen(NU, work[0].data(), value.data(), vector[0].data());
-  for (int i = 0; i < NU; ++i)
-    for (int j = 0; j < NU; ++j)
-      for (int k = 0; k < NU; ++k)
-        (value[k] > 0.0 ? up : down)[i][j] += vector[i][k] * value[k] * vector[j][k];
-  minus_up = up, minus_down = down;
-  for (auto* m : {&minus_up, &minus_down})
-    for (auto& row : *m)
-      for (double& x : row) x = -x;
-  Side a = side(facet.element, rule, false), b = side(facet.neighbour, rule, false);
-  if (minus.span.data || plus.span.data) expand(a), expand(b);
-  couple(a, a, {&minus_down, 1});
-  couple(a, b, {&down, 1});
-  couple(b, b, {&up, 1});
-  couple(b, a, {&minus_up, 1});
+  Side s[2] = {side(facet.element, facet, rule, false), side(facet.neighbour, facet, rule, false)};
+  const int shared = std::min(s[0].count, s[1].count);
+  for (int k = 0; k < 2; ++k) {
+    trace(s[k]);
+    // Side minus takes in the modes of negative speed and sends the positive ones, side plus the reverse.
+    Combination taken{}, own{}, sent{};
+    int in = 0, out = 0;
+    for (int i = 0; i < NU; ++i) {
+      const bool receives = (value[i] > 0.0) == (k == 1);
+      for (int a = 0; a < NU; ++a) {
+        if (receives)
+          taken[in][a] = vector[a][i], own[in][a] = std::fabs(value[i]) * vector[a][i];
+        else
+          sent[out][a] = -std::fabs(value[i]) * vector[a][i];
+      }
+      ++(receives ? in : out);
+    }
+    const Functional test = functional(s[k], {&taken, 1}, in, s[k].count, false);
+    add(s[k], test, functional(s[k], {&own, 1}, in, s[k].count, false), 1.0);
+    Link& l = links_[static_cast<std::size_t>(new_link(s[k].element))];
+    l.lift = shared == s[k].count ? test : functional(s[k], {&taken, 1}, in, shared, false);
+    l.emit = functional(s[k], {&sent, 1}, out, shared, false);
+  }
   return PatchStatus::solved;
 }
 
 #define CLEAVE_INSTANTIATE(D)                                                                          \
+  template auto PatchSolver<D>::side(int, const Facet<D>&, const FacetRule&, bool)->Side;              \
   template void PatchSolver<D>::assemble_volume(int);                                                  \
   template void PatchSolver<D>::assemble_inflow(const Patch<D>&, const Facet<D>&, const Solution<D>*); \
   template void PatchSolver<D>::assemble_vertical(const Facet<D>&, std::span<const Solution<D>>);      \

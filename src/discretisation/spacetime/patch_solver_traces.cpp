@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
-#include "discretisation/spacetime/basis.hpp"
+#include "discretisation/spacetime/basis_facet.hpp"
 #include "discretisation/spacetime/patch_solver.hpp"
 
 namespace cleave::discretisation::spacetime {
@@ -12,6 +12,8 @@ namespace {
 /// A facet whose speed is below this part of the fastest wave counts as vertical, and so does one whose N_t
 /// is no more than rounding of the coordinates, seen against the element's own extent in space.
 constexpr double vertical_speed = 1e-9, rounding = 1e-12;
+/// Barycentric coordinates this close to those of a corner are that corner.
+constexpr double same_corner = 1e-7;
 
 template <int D>
 double space_length(const Event<D>& normal) {
@@ -23,7 +25,7 @@ double space_length(const Event<D>& normal) {
 }  // namespace
 
 template <int D>
-auto PatchSolver<D>::facet_rule(int per_direction) const -> const FacetRule& {
+const FacetRule& PatchSolver<D>::facet_rule(int per_direction) const {
   struct Tables {
     Arena memory;
     std::array<FacetRule, largest_degree + 3> rule;
@@ -31,6 +33,10 @@ auto PatchSolver<D>::facet_rule(int per_direction) const -> const FacetRule& {
       for (int n = 1; n < static_cast<int>(rule.size()); ++n) {
         FacetRule& r = rule[static_cast<std::size_t>(n)];
         r.rule = &simplex_rule(D, n);
+        r.coordinate = take(memory, D + 1, r.rule->points);
+        for (int q = 0; q < r.rule->points; ++q)
+          for (int c = 0; c <= D; ++c)
+            r.coordinate.row(c)[q] = r.rule->barycentric[static_cast<std::size_t>(q * (D + 1) + c)];
         r.weighted = take(memory, r.rule->points, Basis<D>::count);
         for (int q = 0; q < r.rule->points; ++q) {
           Basis<D>::get().evaluate(&r.rule->barycentric[static_cast<std::size_t>(q * (D + 1))],
@@ -75,6 +81,77 @@ void PatchSolver<D>::older_states(const Patch<D>& patch, const Facet<D>& facet,
     const Simplex simplex = patch.elements[static_cast<std::size_t>(facet.element)].simplex;
     for (std::size_t q = 0; q < points_.size(); ++q) states_[q] = problem_.initial(simplex, points_[q]);
   }
+}
+
+template <int D>
+double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older,
+                                    int degree, int count) {
+  constexpr int rows = D + NU;
+  const Elastic<D>& m = *elements_[static_cast<std::size_t>(facet.element)].material;
+  const int stride = padded(count);
+  double* out = arena_.take(static_cast<std::size_t>(rows * stride));
+  double value[rows];
+  const auto energy_scaled = [&](const double* v, const double* strain) {  // after the displacement
+    for (int i = 0; i < D; ++i) value[D + i] = std::sqrt(m.density) * v[i];
+    for (int c = 0; c < strain_count<D>; ++c) {
+      value[2 * D + c] = 0.0;
+      for (int d = 0; d < strain_count<D>; ++d) value[2 * D + c] += m.to_energy[c][d] * strain[d];
+    }
+  };
+  // The facet is one of the solution's element: find its corners there.
+  std::array<int, D + 1> order{};
+  int opposite = (D + 1) * (D + 2) / 2;
+  bool found = older != nullptr;
+  for (int i = 0; i <= D && found; ++i) {
+    const auto lambda = older->map(facet.corner[static_cast<std::size_t>(i)]);
+    int at = -1;
+    for (int c = 0; c < D + 2; ++c) {
+      if (std::fabs(lambda[static_cast<std::size_t>(c)] - 1.0) < same_corner) at = c;
+      found = found && (at == c || std::fabs(lambda[static_cast<std::size_t>(c)]) < same_corner);
+    }
+    found = found && at >= 0;
+    order[static_cast<std::size_t>(i)] = at;
+    opposite -= at;
+  }
+  if (!found) {
+    if (older) degree = std::max(degree, older->degree);
+    const FacetRule& rule = facet_rule(degree + 1);
+    facet_points(facet, *rule.rule);
+    older_states(patch, facet, older);
+    for (std::size_t q = 0; q < points_.size(); ++q) {
+      std::copy_n(states_[q].u.data(), D, value);
+      energy_scaled(states_[q].v.data(), states_[q].strain.data());
+      for (int r = 0; r < rows; ++r)
+        for (int c = 0; c < count; ++c)
+          out[r * stride + c] += value[r] * rule.weighted.row(static_cast<int>(q))[c];
+    }
+    return out;
+  }
+  for (int& i : order) i -= i > opposite ? 1 : 0;
+  const Block &modes = FacetBasis<D>::get().modes(opposite), &turned = FacetBasis<D>::get().turned(order);
+  const int n = polynomial_count(D + 1, older->degree),
+            nu = polynomial_count(D + 1, older->displacement_degree);
+  double* raw = arena_.take(static_cast<std::size_t>(rows * stride));
+  for (int r = 0; r < rows; ++r) {
+    const double* coefficient = r < D ? older->displacement.data() + static_cast<std::ptrdiff_t>(r) * nu
+                                      : older->fields.data() + static_cast<std::ptrdiff_t>(r - D) * n;
+    double* to = raw + r * stride;
+    for (int a = 0; a < (r < D ? nu : n); ++a) axpy(stride, coefficient[a], modes.row(a), to);
+    std::fill(to + count, to + stride, 0.0);
+  }
+  for (int c = 0; c < count; ++c) {
+    double sum[rows];
+    for (int r = 0; r < rows; ++r) {
+      base::Lanes part(0.0);
+      for (int k = 0; k < stride; k += base::lane_count)
+        part = fma(base::Lanes::load(turned.row(c) + k), base::Lanes::load(raw + r * stride + k), part);
+      sum[r] = base::sum(part);
+    }
+    std::copy_n(sum, D, value);
+    energy_scaled(sum + D, sum + 2 * D);
+    for (int r = 0; r < rows; ++r) out[r * stride + c] = value[r];
+  }
+  return out;
 }
 
 template <int D>
@@ -153,10 +230,12 @@ double PatchSolver<D>::star_values(const Facet<D>& facet, std::span<const Soluti
 }
 
 #define CLEAVE_INSTANTIATE(D)                                                                             \
-  template auto PatchSolver<D>::facet_rule(int) const->const FacetRule&;                                  \
+  template const FacetRule& PatchSolver<D>::facet_rule(int) const;                                        \
   template int PatchSolver<D>::points_per_direction(const Facet<D>&, const Solution<D>*) const;           \
   template void PatchSolver<D>::facet_points(const Facet<D>&, const SimplexRule&) const;                  \
   template void PatchSolver<D>::older_states(const Patch<D>&, const Facet<D>&, const Solution<D>*) const; \
+  template double* PatchSolver<D>::trace_modes(const Patch<D>&, const Facet<D>&, const Solution<D>*, int, \
+                                               int);                                                      \
   template bool PatchSolver<D>::is_vertical(const Facet<D>&) const;                                       \
   template const Target<D>& PatchSolver<D>::target(const Facet<D>&) const;                                \
   template Interface<D> PatchSolver<D>::interface_of(const Facet<D>&) const;                              \

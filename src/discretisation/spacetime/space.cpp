@@ -5,47 +5,8 @@
 
 #include "base/assert.hpp"
 #include "discretisation/spacetime/basis.hpp"
-#include "discretisation/spacetime/quadrature.hpp"
 
 namespace cleave::discretisation::spacetime {
-namespace {
-
-/// The orthonormal polynomials at the points of a volume rule, times the weights.
-template <int M>
-struct VolumeTable {
-  const SimplexRule* rule = nullptr;
-  Block weighted;  ///< [point][polynomials]
-  Arena memory;
-
-  static const VolumeTable& of(int degree) {
-    static const auto tables = [] {
-      std::array<VolumeTable, largest_degree + 1> all;
-      for (int p = 0; p <= largest_degree; ++p) {
-        VolumeTable& t = all[static_cast<std::size_t>(p)];
-        t.rule = &simplex_rule(M, p + 1);
-        t.weighted = take(t.memory, t.rule->points, polynomial_count(M, p));
-        for (int q = 0; q < t.rule->points; ++q) {
-          Basis<M>::get().evaluate(&t.rule->barycentric[static_cast<std::size_t>(q * (M + 1))], p,
-                                   t.weighted.row(q));
-          for (int a = 0; a < t.weighted.columns; ++a)
-            t.weighted.row(q)[a] *= t.rule->weight[static_cast<std::size_t>(q)];
-        }
-      }
-      return all;
-    }();
-    return tables[static_cast<std::size_t>(degree)];
-  }
-};
-
-template <int D>
-Event<D> point(const std::array<Event<D>, D + 2>& corner, const double* barycentric) {
-  Event<D> y{};
-  for (int c = 0; c < D + 2; ++c)
-    for (int k = 0; k <= D; ++k) y[k] += barycentric[c] * corner[c][k];
-  return y;
-}
-
-}  // namespace
 
 template <int D>
 bool ElementSpace<D>::set(SpaceChoice c, const Elastic<D>& m, const TrefftzTable<D>* trefftz,
@@ -62,19 +23,36 @@ bool ElementSpace<D>::set(SpaceChoice c, const Elastic<D>& m, const TrefftzTable
     for (int k = 0; k <= D; ++k) centre[k] += y[k] / (D + 2);
   length = 0.0;
   for (const auto& y : corner) {
-    double square = std::pow(m.fastest * (y[D] - centre[D]), 2);
-    for (int k = 0; k < D; ++k) square += std::pow(y[k] - centre[k], 2);
-    length = std::max(length, std::sqrt(square));
+    const double ct = m.fastest * (y[D] - centre[D]);
+    double square = ct * ct;
+    for (int k = 0; k < D; ++k) square += (y[k] - centre[k]) * (y[k] - centre[k]);
+    length = std::max(length, square);
   }
+  length = std::sqrt(length);
   switch (c.space) {
     case LocalSpace::three_field:
       return true;
     case LocalSpace::one_field:
       return span_one_field(arena);
     case LocalSpace::trefftz:
-      return span_trefftz(arena);
+      span = table->fields;
+      return true;
   }
   return false;
+}
+
+template <int D>
+int ElementSpace<D>::opposite(const std::array<Event<D>, D + 1>& facet) const {
+  int missing = -1;
+  for (int i = 0, at = 0; i < D + 2; ++i) {
+    if (at <= D && corner[static_cast<std::size_t>(i)] == facet[static_cast<std::size_t>(at)]) {
+      ++at;
+    } else {
+      if (missing >= 0) return -1;
+      missing = i;
+    }
+  }
+  return missing;
 }
 
 template <int D>
@@ -124,27 +102,6 @@ bool ElementSpace<D>::span_one_field(Arena& arena) {
   return orthonormalise(arena);
 }
 
-template <int D>
-bool ElementSpace<D>::span_trefftz(Arena& arena) {
-  const auto& volume_table = VolumeTable<D + 1>::of(degree);
-  const SimplexRule& rule = *volume_table.rule;
-  const int n = polynomials;
-  const Block value = take(arena, rule.points, n), project = take(arena, n, n);
-  for (int q = 0; q < rule.points; ++q) {
-    const Event<D> y = point<D>(corner, &rule.barycentric[static_cast<std::size_t>(q * (D + 2))]);
-    std::array<double, D + 1> x;
-    for (int k = 0; k <= D; ++k) x[k] = (y[k] - centre[k]) / length * (k == D ? material->fastest : 1.0);
-    monomials<D>(x, degree, value.row(q));
-  }
-  multiply_transposed_add(volume_table.weighted, value, project);
-  span = take(arena, state_count<D> * n, unknowns);
-  for (int c = 0; c < state_count<D>; ++c) {
-    const Block from{table->fields.row(c * n), n, unknowns, table->fields.stride};
-    multiply_add(1.0, project, from, {span.row(c * n), n, unknowns, span.stride});
-  }
-  return orthonormalise(arena);
-}
-
 /// Cholesky on the energy product. The assembly never relies on exact orthonormality, only the conditioning
 /// does: a second round is needed where the first lost half of the digits.
 template <int D>
@@ -180,6 +137,7 @@ void ElementSpace<D>::recover(const double* x, Arena& arena, Solution<D>& out) c
   out.fields.assign(static_cast<std::size_t>(state_count<D> * n), 0.0);
   out.displacement.assign(static_cast<std::size_t>(D * nu), 0.0);
 
+  if (choice.space == LocalSpace::trefftz) return recover_trefftz(x, arena, out);
   // Energy-scaled coefficients, then velocity and strain.
   const double scale = 1.0 / std::sqrt(volume);
   double* w = arena.take(static_cast<std::size_t>(state_count<D> * n));
@@ -204,45 +162,21 @@ void ElementSpace<D>::recover(const double* x, Arena& arena, Solution<D>& out) c
     for (int j = k; j < unknowns; ++j) first[k] += undo.row(k)[j] * x[j] * scale;
   double* u = out.displacement.data();
   const auto& basis = Basis<D + 1>::get();
-  if (choice.space == LocalSpace::one_field) {
-    // Coefficients of the centred coordinates, then the functions of span_one_field in their order.
-    double coordinate[D + 1][D + 2] = {};
-    for (int k = 0; k <= D; ++k)
-      for (int l = 0; l < D + 2; ++l)
-        for (int a = 0; a < D + 2; ++a) coordinate[k][a] += (corner[l][k] - centre[k]) * basis.linear(l)[a];
-    int column = 0;
-    for (int i = 0; i < D; ++i, ++column)
-      for (int a = 0; a < D + 2; ++a) u[i * nu + a] += first[column] * coordinate[D][a];
-    for (int c = 0; c < strain_count<D>; ++c, ++column)
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j)
-          if (voigt<D>(i, j) == c)
-            for (int a = 0; a < D + 2; ++a) u[i * nu + a] += first[column] * coordinate[j][a];
+  // Coefficients of the centred coordinates, then the functions of span_one_field in their order.
+  double coordinate[D + 1][D + 2] = {};
+  for (int k = 0; k <= D; ++k)
+    for (int l = 0; l < D + 2; ++l)
+      for (int a = 0; a < D + 2; ++a) coordinate[k][a] += (corner[l][k] - centre[k]) * basis.linear(l)[a];
+  int column = 0;
+  for (int i = 0; i < D; ++i, ++column)
+    for (int a = 0; a < D + 2; ++a) u[i * nu + a] += first[column] * coordinate[D][a];
+  for (int c = 0; c < strain_count<D>; ++c, ++column)
     for (int i = 0; i < D; ++i)
-      for (int a = D + 2; a < nu; ++a) u[i * nu + a] += first[column++];
-    return;
-  }
-  // Trefftz: sum the monomials, evaluate at quadrature points, project on the orthonormal polynomials.
-  double* sum = arena.take(static_cast<std::size_t>(D * nu));
-  for (int f = 0; f < unknowns; ++f) {
-    const double s = first[f] * length;
-    const double* from = table->displacement.data() + static_cast<std::ptrdiff_t>(f) * D * nu;
-    for (int k = 0; k < D * nu; ++k) sum[k] += s * from[k];
-  }
-  const auto& volume_table = VolumeTable<D + 1>::of(pu);
-  double value[Basis<D + 1>::count];
-  for (int q = 0; q < volume_table.rule->points; ++q) {
-    const Event<D> y =
-        point<D>(corner, &volume_table.rule->barycentric[static_cast<std::size_t>(q * (D + 2))]);
-    std::array<double, D + 1> at;
-    for (int k = 0; k <= D; ++k) at[k] = (y[k] - centre[k]) / length * (k == D ? material->fastest : 1.0);
-    monomials<D>(at, pu, value);
-    for (int i = 0; i < D; ++i) {
-      double ui = 0.0;
-      for (int a = 0; a < nu; ++a) ui += sum[i * nu + a] * value[a];
-      for (int a = 0; a < nu; ++a) u[i * nu + a] += ui * volume_table.weighted.row(q)[a];
-    }
-  }
+      for (int j = 0; j < D; ++j)
+        if (voigt<D>(i, j) == c)
+          for (int a = 0; a < D + 2; ++a) u[i * nu + a] += first[column] * coordinate[j][a];
+  for (int i = 0; i < D; ++i)
+    for (int a = D + 2; a < nu; ++a) u[i * nu + a] += first[column++];
 }
 
 template struct ElementSpace<1>;

@@ -1,34 +1,61 @@
 #pragma once
-/// The local spaces, as subspaces of one: velocity and strain of complete degree p.
+/// The local spaces: what spans velocity and strain in an element, in energy-scaled fields w (elastic.hpp).
 ///
-/// With energy-scaled fields w (elastic.hpp) and phi_a orthonormal on the element, the three-field space has
-/// the unknowns of phi_a in each component of w, component by component. The other two spaces are spanned by
-/// the columns of a matrix with orthonormal columns on top of that, so that every facet and volume term of
-/// theirs is a restriction of the three-field one. Their displacements come with them.
+/// Three fields: orthonormal polynomials phi_a in each component of w, component by component; their tables
+/// are the same for every element. One field: columns with orthonormal coefficients on top of the phi_a.
+/// Trefftz: the functions of one table for each material and degree, on top of monomials in coordinates that
+/// are centred on the element and scaled; nothing is made for the element but the values of monomials.
 
 #include <vector>
 
+#include "base/lanes.hpp"
 #include "discretisation/spacetime/dense.hpp"
+#include "discretisation/spacetime/quadrature.hpp"
 #include "discretisation/spacetime/solution.hpp"
 
 namespace cleave::discretisation::spacetime {
 
 /// Displacement polynomials that satisfy rho u,tt = div C : grad u, as monomials in (x - x_c) / L and
-/// c (t - t_c) / L; one table serves all elements of a material. c is the fastest speed.
-/// Source: power series of the equation of motion in time, (3.9) of the specification.
+/// c (t - t_c) / L; one table serves all elements of a material. c is the fastest speed. Orthonormal in
+/// energy on the average over elements of usual shape, which keeps the condition numbers of patches moderate
+/// without any work on the single element. Source: power series of the equation of motion in time, (3.9) of
+/// the specification.
 template <int D>
 struct TrefftzTable {
-  int degree = 0;                    ///< P
-  int count = 0;                     ///< functions, without rigid motions
-  std::vector<double> displacement;  ///< [function][D][monomials of degree P], u / L
-  Block fields;                      ///< [state_count * monomials of degree P - 1][count], energy-scaled
+  int degree = 0;  ///< P
+  int count = 0;   ///< functions, without rigid motions
+  Block fields;    ///< [state_count * monomials of degree P - 1][count], energy-scaled
+  /// [function][monomials of degree P][columns]: u / L, then the energy-scaled fields, then padding.
+  Block all;
+  static constexpr int columns = padded(D + state_count<D>);
   Arena memory;
   TrefftzTable(const Elastic<D>& material, int degree);
+
+ private:
+  void orthonormalise();
 };
 
-/// Monomials of D + 1 scaled coordinates up to `degree`, sorted by degree.
+/// Monomials of D + 1 scaled coordinates up to `degree`, sorted by degree, eight points at a time.
+/// @param x     [D + 1] @param value [monomials], `stride` doubles from one to the next
 template <int D>
-void monomials(const std::array<double, D + 1>& x, int degree, double* value);
+void monomials(const base::Lanes* x, int degree, double* value, std::ptrdiff_t stride);
+
+/// Points from whose values a polynomial is restored.
+template <int M>
+struct NodeTable {
+  int count = 0;
+  Block coordinate;  ///< [M + 1][nodes], barycentric
+  Block restore;     ///< [nodes][polynomials]: row i holds what value i adds to each coefficient
+  Arena memory;
+  static const NodeTable& of(int degree);
+};
+
+/// A rule on facets, laid out for eight points at a time.
+struct FacetRule {
+  const SimplexRule* rule = nullptr;
+  Block weighted;    ///< [point][modes], times the weight
+  Block coordinate;  ///< [D + 1][points], barycentric
+};
 
 /// The space of one element, living in the arena of its patch.
 template <int D>
@@ -42,8 +69,8 @@ struct ElementSpace {
   int degree = 0;       ///< p, of velocity and strain
   int polynomials = 0;  ///< of degree p
   int unknowns = 0;
-  Block span;  ///< [state_count * polynomials][unknowns]; no data for the three-field space
-  Block undo;  ///< [unknowns][unknowns], from the orthonormal unknowns to those of the first spanning set
+  Block span;  ///< [state_count * functions][unknowns], functions phi_a or monomials; no data: three fields
+  Block undo;  ///< one field, [unknowns][unknowns]: from the orthonormal unknowns to the first spanning set
   Event<D> centre{};
   double length = 0.0;  ///< L of the Trefftz functions
 
@@ -56,12 +83,21 @@ struct ElementSpace {
   /// @param x [unknowns]
   void recover(const double* x, Arena& arena, Solution<D>& out) const;
 
+  /// Modes on a facet of the functions under `span`: [functions][modes]; or their values at the points times
+  /// the roots of the weights.
+  Block trefftz_modes(const std::array<Event<D>, D + 1>& corner_of_facet, const FacetRule& rule,
+                      bool at_points, Arena& arena) const;
+
+  /// Local number of the corner opposite a facet, if its corners are those of the element in the same order;
+  /// else -1.
+  int opposite(const std::array<Event<D>, D + 1>& corner_of_facet) const;
+
   /// Mean derivative matrices: out[k] (a, b) = mean of phi_a d phi_b / d y_k over the element, k = 0 .. D.
   std::array<Block, D + 1> derivatives(int rows_degree, int columns_degree, Arena& arena) const;
 
  private:
   bool span_one_field(Arena& arena);
-  bool span_trefftz(Arena& arena);
+  void recover_trefftz(const double* x, Arena& arena, Solution<D>& out) const;
   bool orthonormalise(Arena& arena);
 };
 
