@@ -22,37 +22,45 @@ ChunkTable::ChunkTable(const PartElements& elements)
   batch_count = (element_count + lane_count - 1) / lane_count;
   local.resize(batch_count * per * lane_count);
 
-  // How many chunks touch each node.
+  // How many chunks touch each node, and which nodes lie between groups.
   const std::size_t node_total = elements.model.mesh.nodes.count();
-  std::vector<std::int32_t> met(node_total, 0);
-  std::vector<std::int32_t> seen_by(node_total, -1);
   const std::size_t chunk_count = (batch_count + batches_per_chunk - 1) / batches_per_chunk;
   const std::size_t elements_per_chunk = batches_per_chunk * lane_count;
+  chunks_per_group = std::clamp(static_cast<int>(chunk_count) / least_group_count, 1, most_chunks_per_group);
+  const auto group_of = [&](std::int32_t c) { return c / chunks_per_group; };
   const auto range_of = [&](std::size_t c) {
     return std::pair{c * elements_per_chunk * per,
                      std::min((c + 1) * elements_per_chunk, element_count) * per};
   };
+  std::vector<std::int32_t> met(node_total, 0);
+  std::vector<std::int32_t> seen_by(node_total, -1);
+  std::vector<bool> between(node_total, false);
   for (std::size_t c = 0; c < chunk_count; ++c) {
     const auto [begin, end] = range_of(c);
     for (std::size_t i = begin; i < end; ++i) {
       const Index n = connectivity[i];
-      if (seen_by[n] == static_cast<std::int32_t>(c)) continue;
-      seen_by[n] = static_cast<std::int32_t>(c);
+      const auto now = static_cast<std::int32_t>(c), before = seen_by[n];
+      if (before == now) continue;
+      if (before >= 0 && group_of(before) != group_of(now)) between[n] = true;
+      seen_by[n] = now;
       ++met[n];
     }
   }
 
-  // Slots of shared nodes, in the order of chunks.
-  std::vector<std::int32_t> next_slot(node_total, -1);
-  shared.first.push_back(0);
-  for (std::size_t n = 0; n < node_total; ++n)
-    if (met[n] > 1) {
-      next_slot[n] = shared.first.back();
-      shared.node.push_back(static_cast<Index>(n));
-      shared.first.push_back(shared.first.back() + met[n]);
-    }
-  shared.slot.resize(static_cast<std::size_t>(shared.first.back()));
-  shared.row.resize(shared.slot.size());
+  // Places of shared nodes, in the order of chunks.
+  std::vector<std::int32_t> next_row(node_total, -1), next_slot(node_total, -1);
+  const auto list = [&](SharedNodes& shared, std::vector<std::int32_t>& next, const auto& is_shared) {
+    shared.first.push_back(0);
+    for (std::size_t n = 0; n < node_total; ++n)
+      if (is_shared(n)) {
+        next[n] = shared.first.back();
+        shared.node.push_back(static_cast<Index>(n));
+        shared.first.push_back(shared.first.back() + met[n]);
+      }
+    shared.place.resize(static_cast<std::size_t>(shared.first.back()));
+  };
+  list(between_chunks, next_row, [&](std::size_t n) { return met[n] > 1; });
+  list(between_groups, next_slot, [&](std::size_t n) { return between[n]; });
   std::int32_t slot_count = 0;
 
   // Nodes of each chunk, its own first, each group ascending; then the local connectivity.
@@ -63,7 +71,7 @@ ChunkTable::ChunkTable(const PartElements& elements)
                             connectivity.begin() + static_cast<std::ptrdiff_t>(end));
     std::sort(mine.begin(), mine.end());
     mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-    const auto rest = std::stable_partition(mine.begin(), mine.end(), [&](Index n) { return met[n] == 1; });
+    const auto rest = std::stable_partition(mine.begin(), mine.end(), [&](Index n) { return !between[n]; });
     CLEAVE_ASSERT(mine.size() < 65536, "local node numbers have 16 bits");
     for (std::size_t i = 0; i < mine.size(); ++i) place[mine[i]] = static_cast<std::uint16_t>(i);
 
@@ -75,11 +83,10 @@ ChunkTable::ChunkTable(const PartElements& elements)
     chunk.own_count = static_cast<std::int32_t>(rest - mine.begin());
     chunk.node_count = static_cast<std::int32_t>(mine.size());
     chunk.first_slot = slot_count;
-    for (auto n = rest; n != mine.end(); ++n) {
-      const auto at = static_cast<std::size_t>(next_slot[static_cast<std::size_t>(*n)]++);
-      shared.slot[at] = slot_count++;
-      shared.row[at] = chunk.first_node + static_cast<std::int32_t>(n - mine.begin());
-    }
+    for (auto n = mine.begin(); n != mine.end(); ++n)
+      if (met[*n] > 1)
+        between_chunks.place[next_row[*n]++] = chunk.first_node + static_cast<std::int32_t>(n - mine.begin());
+    for (auto n = rest; n != mine.end(); ++n) between_groups.place[next_slot[*n]++] = slot_count++;
     chunks.push_back(chunk);
     largest_node_count = std::max(largest_node_count, chunk.node_count);
     nodes.insert(nodes.end(), mine.begin(), mine.end());
@@ -96,8 +103,10 @@ double ChunkTable::bytes() const {
   return static_cast<double>(id.size() * sizeof(Id) + connectivity.size() * sizeof(Index) +
                              chunks.size() * sizeof(Chunk) + nodes.size() * sizeof(Index) +
                              local.size() * sizeof(std::uint16_t) +
-                             shared.node.size() * (sizeof(Index) + sizeof(std::int32_t)) +
-                             shared.slot.size() * (2 * sizeof(std::int32_t) + 4 * sizeof(std::int64_t)));
+                             (between_chunks.node.size() + between_groups.node.size()) *
+                                 (sizeof(Index) + sizeof(std::int32_t)) +
+                             between_chunks.place.size() * sizeof(std::int32_t) +
+                             between_groups.place.size() * (sizeof(std::int32_t) + 4 * sizeof(std::int64_t)));
 }
 
 }  // namespace cleave::discretisation

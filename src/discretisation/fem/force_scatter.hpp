@@ -10,6 +10,15 @@
 
 namespace cleave::discretisation::fem {
 
+/// Calls body(chunk) for every chunk, those of a group one after the other on one thread.
+template <class Body>
+void for_each_grouped_chunk(const ChunkTable& table, const Body& body) {
+  base::for_each_range(table.chunks.size(), static_cast<std::size_t>(table.chunks_per_group),
+                       [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t c = begin; c < end; ++c) body(c);
+                       });
+}
+
 /// One visit of all chunks of a block with `Nodes` nodes per element. Forces given are internal ones and are
 /// subtracted from the sum.
 template <int Nodes>
@@ -18,7 +27,7 @@ class ForceScatter {
   ForceScatter(const ChunkTable& table, ForceSum& force)
       : table_(table),
         force_(force),
-        partial_(base::thread_count() > 1 ? force.partial_sums(table.shared.slot.size()) : nullptr) {}
+        partial_(base::thread_count() > 1 ? force.partial_sums(table.between_groups.place.size()) : nullptr) {}
 
   /// Rounds the nodal forces of a batch and adds them to the chunk's memory. The last node balances the
   /// others, so that the integer forces of an element add up to zero and momentum is exact.
@@ -55,13 +64,12 @@ class ForceScatter {
   }
 
   /// Hands over the sums of a chunk: those of its own nodes to the global sum, those of shared nodes are set
-  /// aside unless there is one thread.
+  /// aside unless there is one thread. Chunks of one group must follow each other on one thread.
   void finish(const Chunk& chunk, const ChunkMemory& memory, std::int64_t magnitude) const {
     const Index* list = table_.nodes.data() + chunk.first_node;
     const std::int64_t* f = memory.force.data();
     const std::int32_t direct = partial_ ? chunk.own_count : chunk.node_count;
     for (std::int32_t i = 0; i < direct; ++i, f += force_row) {
-      force_.prefetch(list[std::min(i + 64, chunk.node_count - 1)]);
       for (int k = 0; k < 3; ++k) force_.add(list[i], k, -f[k], false);
     }
     if (partial_)
@@ -70,16 +78,23 @@ class ForceScatter {
     force_.report_magnitude(magnitude);
   }
 
+  /// Asks for the memory that finish() will add to: part `part` of `parts` of the chunk's own nodes.
+  void prefetch(const Chunk& chunk, std::int32_t part, std::int32_t parts) const {
+    const Index* list = table_.nodes.data() + chunk.first_node;
+    const std::int32_t end = chunk.own_count * (part + 1) / parts;
+    for (std::int32_t i = chunk.own_count * part / parts; i < end; ++i) force_.prefetch(list[i]);
+  }
+
   /// After all chunks: one thread per shared node adds what the chunks set aside.
   void add_shared() const {
     if (!partial_) return;
-    const SharedNodes& shared = table_.shared;
+    const SharedNodes& shared = table_.between_groups;
     base::for_each_range(shared.node.size(), 2048, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         std::int64_t sum[3] = {0, 0, 0};
         for (std::int32_t s = shared.first[n]; s < shared.first[n + 1]; ++s) {
           const std::int64_t* part =
-              partial_ + std::ptrdiff_t{shared.slot[static_cast<std::size_t>(s)]} * force_row;
+              partial_ + std::ptrdiff_t{shared.place[static_cast<std::size_t>(s)]} * force_row;
           for (int k = 0; k < 3; ++k) sum[k] += part[k];
         }
         for (int k = 0; k < 3; ++k) force_.add(shared.node[n], k, -sum[k], false);

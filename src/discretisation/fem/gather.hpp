@@ -25,6 +25,19 @@ inline constexpr int force_row = 4;  ///< integers per local node
 using Integers = base::Mask::Vector;  ///< eight 64-bit integers
 using Quad = std::int64_t __attribute__((vector_size(32), aligned(32), may_alias));
 
+/// Asks for part `part` of `parts` of what load() will read of a chunk: a cache line of a node comes from memory
+/// while the chunk before is computed.
+inline void prefetch_nodes(const ChunkTable& table, const Chunk& chunk, std::int32_t part, std::int32_t parts,
+                           const double* position, const double* velocity) {
+  const Index* list = table.nodes.data() + chunk.first_node;
+  const std::int32_t end = chunk.node_count * (part + 1) / parts;
+  for (std::int32_t i = chunk.node_count * part / parts; i < end; ++i) {
+    const std::size_t at = 3 * static_cast<std::size_t>(list[i]);
+    __builtin_prefetch(position + at);
+    __builtin_prefetch(velocity + at);
+  }
+}
+
 /// Local memory of a thread for one chunk.
 struct ChunkMemory {
   base::Array<double> node;         ///< [local node][row]
@@ -38,9 +51,6 @@ struct ChunkMemory {
     const Index* list = table.nodes.data() + chunk.first_node;
     double* to = node.data();
     for (std::size_t i = 0; i < count; ++i, to += row) {
-      const std::size_t ahead = 3 * static_cast<std::size_t>(list[std::min(i + 64, count - 1)]);
-      __builtin_prefetch(position + ahead);
-      __builtin_prefetch(velocity + ahead);
       const double* x = position + 3 * static_cast<std::size_t>(list[i]);
       const double* v = velocity + 3 * static_cast<std::size_t>(list[i]);
       const Lanes::Vector line = {x[0], x[1], x[2], 0.0, v[0], v[1], v[2], 0.0};

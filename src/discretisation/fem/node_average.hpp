@@ -69,11 +69,11 @@ class NodeRows {
 
   /// After all chunks have added: nodes of several chunks get the sum of their rows in each of them.
   void combine() {
-    const SharedNodes& shared = table_.shared;
+    const SharedNodes& shared = table_.between_chunks;
     base::for_each_range(shared.node.size(), 2048, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
-        const std::int32_t *from = &shared.row[static_cast<std::size_t>(shared.first[n])],
-                           *to = &shared.row[0] + shared.first[n + 1];
+        const std::int32_t *from = &shared.place[static_cast<std::size_t>(shared.first[n])],
+                           *to = &shared.place[0] + shared.first[n + 1];
         Four total = row(*from);
         for (const std::int32_t* r = from + 1; r < to; ++r) total += row(*r);
         for (const std::int32_t* r = from; r < to; ++r) row(*r) = total;
@@ -164,7 +164,7 @@ void pressure_visit(const Element& element, const ChunkTable& table, const StepI
                     const Broken& broken) {
   constexpr int nodes = Element::node_count;
   rows.combine();
-  base::for_each_chunk(table.chunks.size(), [&](std::size_t c) {
+  for_each_grouped_chunk(table, [&](std::size_t c) {
     thread_local ChunkMemory memory;
     const Chunk& chunk = table.chunks[c];
     memory.load(table, chunk, input.position, input.velocity);

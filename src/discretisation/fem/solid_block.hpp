@@ -93,9 +93,9 @@ class SolidBlock final : public Block {
           element_, table_, input, state,
           [&](std::size_t b) { return records_of(b, state).element.get(ElementLayout::reference_volume); },
           averages.volume);
-    base::for_each_chunk(table_.chunks.size(), [&](std::size_t c) {
+    for_each_grouped_chunk(table_, [&](std::size_t c) {
       thread_local ThreadMemory memory;
-      run_chunk(table_.chunks[c], input, state, averages, scatter, memory, results[c]);
+      run_chunk(c, input, state, averages, scatter, memory, results[c]);
     });
     scatter.add_shared();
     if constexpr (averaged)
@@ -202,8 +202,11 @@ class SolidBlock final : public Block {
     return {false, part_, table_.id[table_.element(batch, lane)], what, likely_cause};
   }
 
-  void run_chunk(const Chunk& chunk, const StepInput& input, BlockState& state, Averages& averages,
+  void run_chunk(std::size_t c, const StepInput& input, BlockState& state, Averages& averages,
                  const ForceScatter<nodes>& scatter, ThreadMemory& memory, StepOutput& result) const {
+    const Chunk& chunk = table_.chunks[c];
+    const Chunk* next = c + 1 < table_.chunks.size() ? &chunk + 1 : nullptr;
+    const std::int32_t tiles = (chunk.batch_count + tile_batches - 1) / tile_batches;
     memory.nodes.load(table_, chunk, input.position, input.velocity);
     if constexpr (averaged) {
       averages.volume.divide(chunk, nodes);
@@ -215,6 +218,9 @@ class SolidBlock final : public Block {
     for (std::size_t first = static_cast<std::size_t>(chunk.first_batch); first < end;
          first += tile_batches) {
       const int count = static_cast<int>(std::min<std::size_t>(tile_batches, end - first));
+      const std::int32_t tile = (static_cast<std::int32_t>(first) - chunk.first_batch) / tile_batches;
+      if (next) prefetch_nodes(table_, *next, tile, tiles, input.position, input.velocity);
+      scatter.prefetch(chunk, tile, tiles);
       for (int i = 0; i < count; ++i)
         before_law(first + static_cast<std::size_t>(i), chunk, input, state, averages, memory, memory.kept[i],
                    memory.point + i * points, result);
