@@ -47,20 +47,21 @@ ChunkTable::ChunkTable(const PartElements& elements)
     }
   }
 
-  // Places of shared nodes, in the order of chunks.
+  // Places of shared nodes; nodes and places in the order of chunks, so that a pass over them is one over
+  // both.
   std::vector<std::int32_t> next_row(node_total, -1), next_slot(node_total, -1);
   const auto list = [&](SharedNodes& shared, std::vector<std::int32_t>& next, const auto& is_shared) {
     shared.first.push_back(0);
-    for (std::size_t n = 0; n < node_total; ++n)
-      if (is_shared(n)) {
+    for (const Index n : connectivity)
+      if (is_shared(n) && next[n] < 0) {
         next[n] = shared.first.back();
-        shared.node.push_back(static_cast<Index>(n));
+        shared.node.push_back(n);
         shared.first.push_back(shared.first.back() + met[n]);
       }
     shared.place.resize(static_cast<std::size_t>(shared.first.back()));
   };
-  list(between_chunks, next_row, [&](std::size_t n) { return met[n] > 1; });
-  list(between_groups, next_slot, [&](std::size_t n) { return between[n]; });
+  list(between_chunks, next_row, [&](Index n) { return met[n] > 1; });
+  list(between_groups, next_slot, [&](Index n) { return between[n]; });
   std::int32_t slot_count = 0;
 
   // Nodes of each chunk, its own first, each group ascending; then the local connectivity.
@@ -100,13 +101,12 @@ ChunkTable::ChunkTable(const PartElements& elements)
 }
 
 double ChunkTable::bytes() const {
-  return static_cast<double>(id.size() * sizeof(Id) + connectivity.size() * sizeof(Index) +
-                             chunks.size() * sizeof(Chunk) + nodes.size() * sizeof(Index) +
-                             local.size() * sizeof(std::uint16_t) +
-                             (between_chunks.node.size() + between_groups.node.size()) *
-                                 (sizeof(Index) + sizeof(std::int32_t)) +
-                             between_chunks.place.size() * sizeof(std::int32_t) +
-                             between_groups.place.size() * (sizeof(std::int32_t) + 4 * sizeof(std::int64_t)));
+  return static_cast<double>(
+      id.size() * sizeof(Id) + connectivity.size() * sizeof(Index) + chunks.size() * sizeof(Chunk) +
+      nodes.size() * sizeof(Index) + local.size() * sizeof(std::uint16_t) +
+      (between_chunks.node.size() + between_groups.node.size()) * (sizeof(Index) + sizeof(std::int32_t)) +
+      between_chunks.place.size() * sizeof(std::int32_t) +
+      between_groups.place.size() * (sizeof(std::int32_t) + 4 * sizeof(std::int64_t)));
 }
 
 }  // namespace cleave::discretisation

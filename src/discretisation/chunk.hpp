@@ -2,10 +2,10 @@
 /// Elements of a block cut into chunks: the unit of work of a thread and of the memory that stays in cache.
 ///
 /// A chunk copies what it needs of its nodes into local memory, sums forces there, and gives them to the
-/// global sum at its end. Chunks follow a space-filling curve. A thread takes them in groups of neighbours, so
-/// most nodes belong to one group and are added to directly; sums of nodes between groups are set aside and
-/// added together, node by node, when all chunks are done.
-/// The number and content of chunks and groups do not depend on the number of threads.
+/// global sum at its end. Chunks follow a space-filling curve. A thread takes them in groups of neighbours,
+/// so most nodes belong to one group and are added to directly; sums of nodes between groups are set aside
+/// and added together, node by node, when all chunks are done. The number and content of chunks and groups do
+/// not depend on the number of threads.
 
 #include <cstdint>
 #include <vector>
@@ -27,7 +27,7 @@ struct Chunk {
 
 /// Nodes that several chunks or groups touch, and where each chunk keeps what it has for them.
 struct SharedNodes {
-  std::vector<Index> node;          ///< ascending
+  std::vector<Index> node;          ///< in the order of the chunks that meet them first
   std::vector<std::int32_t> first;  ///< [node + 1], offsets into place
   std::vector<std::int32_t> place;  ///< in the order of chunks
 };

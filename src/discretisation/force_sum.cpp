@@ -19,6 +19,7 @@ constexpr std::size_t grain = 1 << 16;
 
 void ForceSum::resize(std::size_t node_count) {
   sum_.assign(3 * node_count, 0);
+  clear_ = true;
   coarse_.clear();
 }
 
@@ -32,9 +33,11 @@ void ForceSum::begin(double expected_largest) {
   scale_ = std::ldexp(1.0, value_bits - exponent - growth_bits);
   largest_.store(0.0, std::memory_order_relaxed);
   coarse_.clear();
-  base::for_each_range(sum_.size(), grain, [&](std::size_t begin, std::size_t end) {
-    std::fill(sum_.begin() + begin, sum_.begin() + end, std::int64_t{0});
-  });
+  if (!clear_)
+    base::for_each_range(sum_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::fill(sum_.begin() + begin, sum_.begin() + end, std::int64_t{0});
+    });
+  clear_ = false;
 }
 
 void ForceSum::add_value(std::int32_t node, int component, double value) {
@@ -93,6 +96,12 @@ void ForceSum::values(std::size_t first, std::size_t last, double* out) const {
   for (auto it = coarse_.lower_bound({begin, 0}); it != coarse_.end() && it->first.first < end; ++it)
     out[it->first.first - begin] =
         value(static_cast<std::int32_t>(it->first.first / 3), static_cast<int>(it->first.first % 3));
+}
+
+void ForceSum::take(std::size_t first, std::size_t last, double* out) {
+  values(first, last, out);
+  std::fill(sum_.begin() + static_cast<std::ptrdiff_t>(3 * first),
+            sum_.begin() + static_cast<std::ptrdiff_t>(3 * last), std::int64_t{0});
 }
 
 }  // namespace cleave::discretisation

@@ -80,6 +80,10 @@ class ForceSum {
   void values(base::Array<double>& out) const;
   /// Those of nodes first .. last-1, [node - first][3], from the thread that calls.
   void values(std::size_t first, std::size_t last, double* out) const;
+  /// As values(), and leaves zeros behind.
+  void take(std::size_t first, std::size_t last, double* out);
+  /// Every node has been taken: the next begin() finds the sums clear.
+  void all_taken() { clear_ = true; }
 
  private:
   static constexpr double magic =
@@ -91,6 +95,7 @@ class ForceSum {
   // Rare: (slot, level) -> integer; level n has the scale divided by 2^(32 n).
   std::map<std::pair<std::int64_t, int>, std::int64_t> coarse_;
   std::mutex coarse_lock_;
+  bool clear_ = true;
   double expected_ = 0.0, scale_ = 1.0, limit_ = 0.0;
   std::atomic<double> largest_{0.0};
 };

@@ -14,13 +14,14 @@ constexpr std::size_t grain = 8192;
 /// @param node_of  entry -> node
 /// @param mass_of  entry -> mass
 template <class NodeOf, class MassOf>
-Motion sum(std::size_t count, std::span<const double> velocity, const NodeOf& node_of,
+Motion sum(std::size_t count, const solver::NodeVelocity& velocity, const NodeOf& node_of,
            const MassOf& mass_of) {
   std::vector<Motion> ranges((count + grain - 1) / grain);
   base::for_each_range(count, grain, [&](std::size_t begin, std::size_t end) {
     Motion range;
     for (std::size_t i = begin; i < end; ++i) {
-      const double* v = &velocity[3 * node_of(i)];
+      const std::size_t at = 3 * node_of(i);
+      const double v[3] = {velocity[at], velocity[at + 1], velocity[at + 2]};
       const double m = mass_of(i);
       range.mass += m;
       for (int k = 0; k < 3; ++k) range.momentum[k] += m * v[k];

@@ -104,7 +104,6 @@ class Explicit final : public Solver {
     CLEAVE_ASSERT(state.memory[acceleration_].values.size() == count, "the state belongs to another model");
 
     erosion_.emplace(world_, state);
-    nodal_.mass_changed(state);
     element_cycles_ = 0.0;
     state.parts.resize(model_.parts.size());
     if (fresh) return evaluate(state);
@@ -130,11 +129,9 @@ class Explicit final : public Solver {
     watch_.lap(Phase::elements);
     if (!output.status.ok) return output.status;
     const bool start = state.cycle == 0;
-    bool mass_changed = erosion_->remove(eroded_, state);
+    erosion_->remove(eroded_, state);
     StableStep stable{output.stable_step, output.stable_element};
-    if (scaling_.active())
-      mass_changed = scaling_.apply(state, factors(state), start, stable) || mass_changed;
-    if (mass_changed) nodal_.mass_changed(state);
+    if (scaling_.active()) scaling_.apply(state, factors(state), start, stable);
     state.next_step = choose_step(model_, state, stable);
     if (start) state.first_step = state.next_step;
     number(state, step_element) = static_cast<double>(stable.element);
@@ -258,7 +255,7 @@ class Explicit final : public Solver {
             world_,
             state,
             state.memory[acceleration_].values,
-            nodal_.velocity(),
+            {state.velocity, state.memory[acceleration_].values, 0.5 * state.step},
             held_,
             reactions_.walls,
             static_cast<model::Id>(state.memory[numbers_].values[step_element]),

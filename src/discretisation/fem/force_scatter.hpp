@@ -27,7 +27,8 @@ class ForceScatter {
   ForceScatter(const ChunkTable& table, ForceSum& force)
       : table_(table),
         force_(force),
-        partial_(base::thread_count() > 1 ? force.partial_sums(table.between_groups.place.size()) : nullptr) {}
+        partial_(base::thread_count() > 1 ? force.partial_sums(table.between_groups.place.size()) : nullptr) {
+  }
 
   /// Rounds the nodal forces of a batch and adds them to the chunk's memory. The last node balances the
   /// others, so that the integer forces of an element add up to zero and momentum is exact.
@@ -91,6 +92,11 @@ class ForceScatter {
     const SharedNodes& shared = table_.between_groups;
     base::for_each_range(shared.node.size(), 2048, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
+        const std::size_t ahead = std::min(n + 16, end - 1);
+        force_.prefetch(shared.node[ahead]);
+        for (std::int32_t s = shared.first[ahead]; s < shared.first[ahead + 1]; ++s)
+          __builtin_prefetch(partial_ +
+                             std::ptrdiff_t{shared.place[static_cast<std::size_t>(s)]} * force_row);
         std::int64_t sum[3] = {0, 0, 0};
         for (std::int32_t s = shared.first[n]; s < shared.first[n + 1]; ++s) {
           const std::int64_t* part =

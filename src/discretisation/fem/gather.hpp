@@ -25,8 +25,8 @@ inline constexpr int force_row = 4;  ///< integers per local node
 using Integers = base::Mask::Vector;  ///< eight 64-bit integers
 using Quad = std::int64_t __attribute__((vector_size(32), aligned(32), may_alias));
 
-/// Asks for part `part` of `parts` of what load() will read of a chunk: a cache line of a node comes from memory
-/// while the chunk before is computed.
+/// Asks for part `part` of `parts` of what load() will read of a chunk: a cache line of a node comes from
+/// memory while the chunk before is computed.
 inline void prefetch_nodes(const ChunkTable& table, const Chunk& chunk, std::int32_t part, std::int32_t parts,
                            const double* position, const double* velocity) {
   const Index* list = table.nodes.data() + chunk.first_node;

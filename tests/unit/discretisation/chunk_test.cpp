@@ -65,10 +65,11 @@ TEST(Chunks, HoldEveryElementAndNodeOnce) {
   for (const Chunk& chunk : table.chunks)
     for (std::int32_t i = 0; i < chunk.node_count; ++i)
       EXPECT_EQ(met[table.nodes[static_cast<std::size_t>(chunk.first_node + i)]] == 1, i < chunk.own_count);
-  for (std::size_t n = 0; n < table.shared.node.size(); ++n) {
-    EXPECT_EQ(table.shared.first[n + 1] - table.shared.first[n], met[table.shared.node[n]]);
-    for (std::int32_t at = table.shared.first[n]; at < table.shared.first[n + 1]; ++at) {
-      const std::int32_t slot = table.shared.slot[static_cast<std::size_t>(at)];
+  for (std::size_t n = 0; n < table.between_groups.node.size(); ++n) {
+    EXPECT_EQ(table.between_groups.first[n + 1] - table.between_groups.first[n],
+              met[table.between_groups.node[n]]);
+    for (std::int32_t at = table.between_groups.first[n]; at < table.between_groups.first[n + 1]; ++at) {
+      const std::int32_t slot = table.between_groups.place[static_cast<std::size_t>(at)];
       EXPECT_TRUE(slots.insert(slot).second);
       const auto chunk = std::ranges::find_if(table.chunks, [&](const Chunk& c) {
         return slot >= c.first_slot && slot < c.first_slot + c.node_count - c.own_count;
@@ -76,7 +77,7 @@ TEST(Chunks, HoldEveryElementAndNodeOnce) {
       ASSERT_NE(chunk, table.chunks.end());
       EXPECT_EQ(table.nodes[static_cast<std::size_t>(chunk->first_node + chunk->own_count + slot -
                                                      chunk->first_slot)],
-                table.shared.node[n]);
+                table.between_groups.node[n]);
     }
     ++shared;
   }

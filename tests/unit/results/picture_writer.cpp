@@ -76,7 +76,7 @@ class PictureWriterTest : public testing::Test {
   ~PictureWriterTest() override { fs::remove_all(run); }
 
   void make_world(bool plastic) { world.blocks.push_back(std::make_unique<TwoCubes>(plastic)); }
-  solver::Frame frame() const { return {model, world, state, zeros, zeros, zeros, {}, 0, {}}; }
+  solver::Frame frame() const { return {model, world, state, zeros, {zeros, zeros, 0.0}, zeros, {}, 0, {}}; }
 
   fs::path run;
   model::Model model;

@@ -149,7 +149,7 @@ struct SmallRun {
     state.parts[1].internal = 15.0 * state.time;
   }
   solver::Frame frame() const {
-    return {model, world, state, acceleration, velocity, reaction, walls, 2, eroded};
+    return {model, world, state, acceleration, {velocity, acceleration, 0.0}, reaction, walls, 2, eroded};
   }
   Options options() {
     Options options;

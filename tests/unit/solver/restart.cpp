@@ -112,7 +112,8 @@ TEST(Restart, FirstFrameIsTheLastOne) {
     bool operator==(const Seen&) const = default;
   } last, first;
   const auto look = [](const Frame& frame, Seen& seen) {
-    seen.velocity.assign(frame.velocity.begin(), frame.velocity.end());
+    seen.velocity.clear();
+    for (std::size_t i = 0; i < frame.velocity.size(); ++i) seen.velocity.push_back(frame.velocity[i]);
     seen.reaction.assign(frame.reaction.begin(), frame.reaction.end());
     seen.wall.clear();
     for (const WallForce& wall : frame.walls)
