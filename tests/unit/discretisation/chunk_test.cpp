@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
+#include "base/threads.hpp"
 #include "discretisation/curve_order.hpp"
 #include "sample.hpp"
 
@@ -82,6 +84,43 @@ TEST(Chunks, HoldEveryElementAndNodeOnce) {
     ++shared;
   }
   EXPECT_GT(shared, 100u);
+}
+
+TEST(Chunks, OfOneGroupShareNoSlots) {
+  const Sample s = box(64, 64, 33, elastic());  // 264 chunks: two to a group
+  const auto& solids = s.model.mesh.solids[0];
+  const ChunkTable table({s.model, 0, solids.shape, solids.id, solids.node});
+  ASSERT_EQ(table.chunks_per_group, 2);
+
+  // A node has slots if, and only if, chunks of several groups meet it.
+  std::vector<std::set<std::size_t>> groups(s.node_count());
+  for (std::size_t c = 0; c < table.chunks.size(); ++c)
+    for (std::int32_t i = 0; i < table.chunks[c].node_count; ++i)
+      groups[table.nodes[static_cast<std::size_t>(table.chunks[c].first_node + i)]].insert(c / 2);
+  for (const Chunk& chunk : table.chunks)
+    for (std::int32_t i = 0; i < chunk.node_count; ++i)
+      ASSERT_EQ(groups[table.nodes[static_cast<std::size_t>(chunk.first_node + i)]].size() == 1,
+                i < chunk.own_count);
+  for (const Index n : table.between_groups.node) EXPECT_GT(groups[n].size(), 1u);
+
+  // Every element pulls at its nodes; the sums are the same bits whoever adds them.
+  const auto block = s.block();
+  BlockState state;
+  base::Array<double> x(s.model.mesh.nodes.position.begin(), s.model.mesh.nodes.position.end());
+  base::Array<double> v(x.size());
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = std::sin(0.1 * static_cast<double>(i % 1009));
+  base::Array<double> one, some;
+  for (const int threads : {1, 3}) {
+    base::set_thread_count(threads);
+    block->initialise(x, state);
+    ForceSum force(s.node_count());
+    force.begin(1.0);
+    block->add_force({1e-4, 1e-4, x.data(), v.data(), 0.0}, state, force);
+    force.values(threads == 1 ? one : some);
+  }
+  base::set_thread_count(0);
+  EXPECT_NE(one, base::Array<double>(one.size(), 0.0));
+  EXPECT_EQ(one, some);
 }
 
 TEST(Chunks, AreCompact) {
