@@ -6,21 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <vector>
 
-#include "discretisation/spacetime/mesh.hpp"
+#include "spacetime_delaunay.hpp"
 
 namespace cleave::discretisation::spacetime::sample {
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double operator()(double low, double high) { return low + (high - low) * (engine_() * 0x1p-32); }
-
- private:
-  std::mt19937 engine_;
-};
 
 template <int D>
 void one_material(SpaceMeshInput<D>& in, double fastest = 1.0, double slowest = 0.5) {
@@ -101,7 +91,7 @@ inline SpaceMeshInput<3> cube(int count, double jitter = 0.0, unsigned seed = 1)
   return in;
 }
 
-/// Delaunay triangulation of `count` random points in the unit disc and 30 on its rim (Bowyer & Watson 1981).
+/// Delaunay triangulation of `count` random points in the unit disc and 30 on its rim.
 inline SpaceMeshInput<2> delaunay(int count, unsigned seed) {
   Random random(seed);
   SpaceMeshInput<2> in;
@@ -114,44 +104,7 @@ inline SpaceMeshInput<2> delaunay(int count, unsigned seed) {
     const Point<2> p{random(-1.0, 1.0), random(-1.0, 1.0)};
     if (norm(p) < 0.97) x.push_back(p);
   }
-  const auto real = static_cast<Vertex>(x.size());
-  x.push_back({-3e3, -2e3});
-  x.push_back({3e3, -2e3});
-  x.push_back({0.0, 4e3});
-  std::vector<std::array<Vertex, 3>> triangles{{real, real + 1, real + 2}};
-  for (Vertex v = 0; v < real; ++v) {
-    const auto in_circle = [&](const std::array<Vertex, 3>& t) {
-      double m[3][3];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Point<2> d = difference(x[static_cast<std::size_t>(t[i])], x[static_cast<std::size_t>(v)]);
-        m[i][0] = d[0], m[i][1] = d[1], m[i][2] = dot(d, d);
-      }
-      return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                 m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                 m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) >
-             0.0;
-    };
-    std::vector<std::array<Vertex, 2>> rim;
-    std::vector<std::array<Vertex, 3>> kept;
-    for (const auto& t : triangles) {
-      if (!in_circle(t)) {
-        kept.push_back(t);
-        continue;
-      }
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::array<Vertex, 2> edge{t[i], t[(i + 1) % 3]}, back{edge[1], edge[0]};
-        if (const auto at = std::find(rim.begin(), rim.end(), back); at != rim.end())
-          rim.erase(at);
-        else
-          rim.push_back(edge);
-      }
-    }
-    for (const auto& edge : rim) kept.push_back({edge[0], edge[1], v});
-    triangles = std::move(kept);
-  }
-  for (const auto& t : triangles)
-    if (*std::max_element(t.begin(), t.end()) < real) in.simplex.push_back(t);
-  x.resize(static_cast<std::size_t>(real));
+  in.simplex = triangulate<2>(x);
   one_material(in);
   return in;
 }
