@@ -162,7 +162,7 @@ Slab<D> anisotropic_waves(const Matrix<strain_count<D>>& stiffness, double densi
   return slab;
 }
 
-TEST(SpacetimeConvergence, Orthotropic) {
+TEST(SpacetimeConvergence, SlowOrthotropic) {
   // A sheet of fibres at an angle: no term of the stiffness is zero.
   auto sheet = anisotropic_waves<2>({{{10.0, 2.0, 0.5}, {2.0, 4.0, 0.2}, {0.5, 0.2, 1.5}}}, 1.3,
                                     {std::cos(0.6), std::sin(0.6)}, 5.0);

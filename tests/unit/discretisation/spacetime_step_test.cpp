@@ -35,7 +35,7 @@ Step step(SpaceChoice space, int n) {
   double last90 = 0.0, last50 = 0.0, last10 = 0.0, momentum = 0.0;
   for (int i = 0; i < n * points; ++i) {
     const double x = (i + 0.5) / (n * points);
-    const double v = -speed * run.solution[static_cast<std::size_t>(x * n)].at({x, end}).v[0];
+    const double v = speed * run.solution[static_cast<std::size_t>(x * n)].at({x, end}).v[0];
     out.mean_error += std::fabs(v - (x < 0.5 ? 1.0 : 0.0)) / (n * points);
     out.overshoot = std::max(out.overshoot, v - 1.0);
     if (v > 0.9) last90 = x;
@@ -51,7 +51,7 @@ Step step(SpaceChoice space, int n) {
     }
   out.arrival = (last50 - 0.5) * n;
   out.width = (last10 - last90) * n;
-  out.impulse = momentum / -end - 1.0;  // rho = 1, traction pulls at the left end
+  out.impulse = momentum / end - 1.0;
   return out;
 }
 
