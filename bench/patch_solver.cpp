@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include "machine.hpp"
@@ -60,7 +61,9 @@ Patch<2> hexagon(double height) {
 
 }  // namespace
 
-int main() {
+/// Program [SPACE [DEGREE]]: 0 one field, 1 three fields, 2 Trefftz; all without.
+int main(int words, char** word) {
+  const int only = words > 1 ? std::atoi(word[1]) : -1, only_degree = words > 2 ? std::atoi(word[2]) : -1;
   using cleave::bench::cpu_seconds;
   const double peak = cleave::bench::fma_peak();
   std::printf("FMA peak of one thread %.1f Gflop/s\n", peak * 1e-9);
@@ -69,6 +72,7 @@ int main() {
   const Patch<2> patch = hexagon(0.6);
   for (const LocalSpace space : {LocalSpace::three_field, LocalSpace::one_field, LocalSpace::trefftz})
     for (int p = 1; p <= 4; ++p) {
+      if ((only >= 0 && static_cast<int>(space) != only) || (only_degree >= 0 && p != only_degree)) continue;
       // Equal degree p of velocity and strain.
       Problem<2> problem;
       problem.materials.resize(1);

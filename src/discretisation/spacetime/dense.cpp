@@ -13,6 +13,29 @@ namespace {
 using base::lane_count;
 using base::Lanes;
 
+/// Calls f.template operator()<r>() for a run-time r from 1 to 8.
+template <class F>
+void with_rows(int r, const F& f) {
+  switch (r) {
+    case 1:
+      return f.template operator()<1>();
+    case 2:
+      return f.template operator()<2>();
+    case 3:
+      return f.template operator()<3>();
+    case 4:
+      return f.template operator()<4>();
+    case 5:
+      return f.template operator()<5>();
+    case 6:
+      return f.template operator()<6>();
+    case 7:
+      return f.template operator()<7>();
+    default:
+      return f.template operator()<8>();
+  }
+}
+
 /// R rows by V lanes of c = sign a b or c += sign a b, held in registers. a(i, k) = a[i * by_row + k *
 /// by_column].
 template <bool Add, int R, int V>
@@ -43,27 +66,11 @@ void row_band(int rows, int depth, double sign, const double* a, std::ptrdiff_t 
   int i = 0;
   for (; i + 8 <= rows; i += 8)
     micro<Add, 8, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
-  const auto rest = [&]<int R>() {
-    micro<Add, R, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
-  };
-  switch (rows - i) {
-    case 1:
-      return rest.template operator()<1>();
-    case 2:
-      return rest.template operator()<2>();
-    case 3:
-      return rest.template operator()<3>();
-    case 4:
-      return rest.template operator()<4>();
-    case 5:
-      return rest.template operator()<5>();
-    case 6:
-      return rest.template operator()<6>();
-    case 7:
-      return rest.template operator()<7>();
-    default:
-      return;
-  }
+  if (i < rows)
+    with_rows(rows - i, [&]<int R>() {
+      micro<Add, R, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride,
+                       c_stride);
+    });
 }
 
 /// c += sign a b, or c = sign a b, over whole lanes of columns; `width` is a multiple of eight.
@@ -81,7 +88,76 @@ void product(int rows, int width, int depth, double sign, const double* a, std::
     row_band<Add, 1>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
 }
 
-constexpr int panel = 16;
+/// Columns factored together before the rest of the matrix is updated, and rows solved together.
+constexpr int panel = 16, rows_at_once = lane_count;
+
+/// R rows of b, solved with the unit lower triangle at l.
+template <int R>
+void solve_lower(const double* l, std::ptrdiff_t l_stride, double* b, std::ptrdiff_t b_stride, int width) {
+  for (int j = 0; j < width; j += lane_count) {
+    Lanes x[R];
+    for (int i = 0; i < R; ++i) x[i] = Lanes::load(b + i * b_stride + j);
+    for (int i = 1; i < R; ++i) {
+      for (int k = 0; k < i; ++k) x[i] = fma(Lanes(-l[i * l_stride + k]), x[k], x[i]);
+      x[i].store(b + i * b_stride + j);
+    }
+  }
+}
+
+/// R rows of b, solved with the upper triangle at u.
+template <int R>
+void solve_upper(const double* u, std::ptrdiff_t u_stride, double* b, std::ptrdiff_t b_stride, int width) {
+  double inverse[R];
+  for (int i = 0; i < R; ++i) inverse[i] = 1.0 / u[i * u_stride + i];
+  for (int j = 0; j < width; j += lane_count) {
+    Lanes x[R];
+    for (int i = 0; i < R; ++i) x[i] = Lanes::load(b + i * b_stride + j);
+    for (int i = R - 1; i >= 0; --i) {
+      for (int k = R - 1; k > i; --k) x[i] = fma(Lanes(-u[i * u_stride + k]), x[k], x[i]);
+      x[i] = x[i] * Lanes(inverse[i]);
+      x[i].store(b + i * b_stride + j);
+    }
+  }
+}
+
+/// Rows first .. last of b, `width` columns from the lane `column` on, solved with the unit lower triangle
+/// of a.
+void solve_lower_rows(const Block& a, int first, int last, const Block& b, int column, int width) {
+  for (int i = first; i < last; i += rows_at_once) {
+    const int rows = std::min(rows_at_once, last - i);
+    product(rows, width, i - first, -1.0, a.row(i) + first, a.stride, 1, b.row(first) + column, b.stride,
+            b.row(i) + column, b.stride);
+    with_rows(rows,
+              [&]<int R>() { solve_lower<R>(a.row(i) + i, a.stride, b.row(i) + column, b.stride, width); });
+  }
+}
+
+/// Factors the columns of one lane from row `first` on; false if a pivot vanishes.
+bool factor_lane(const Block& a, int first, int last, int* pivot) {
+  const int n = a.rows;
+  int best = first;
+  double largest = std::fabs(a.row(first)[first]);
+  for (int i = first + 1; i < n; ++i)
+    if (const double x = std::fabs(a.row(i)[first]); x > largest) largest = x, best = i;
+  for (int j = first; j < last; ++j) {
+    pivot[j] = best;
+    if (!(largest > 0.0)) return false;
+    if (best != j) std::swap_ranges(a.row(j), a.row(j) + a.stride, a.row(best));
+    const double inverse = 1.0 / a.row(j)[j];
+    Lanes upper = Lanes::load(a.row(j) + first);
+    for (int k = first; k <= j; ++k) upper.set(k - first, 0.0);
+    best = j + 1, largest = -1.0;
+    for (int i = j + 1; i < n; ++i) {
+      double* row = a.row(i);
+      const double s = row[j] * inverse;
+      fma(Lanes(-s), upper, Lanes::load(row + first)).store(row + first);
+      row[j] = s;
+      if (j + 1 < last)
+        if (const double x = std::fabs(row[j + 1]); x > largest) largest = x, best = i;
+    }
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -154,32 +230,19 @@ void multiply_transposed(const Block& a, const Block& b, const Block& c) {
 bool factor(const Block& a, int* pivot) {
   const int n = a.rows;
   for (int first = 0; first < n; first += panel) {
-    const int last = std::min(first + panel, n), wide = std::min(first + panel, a.stride);
-    for (int j = first; j < last; ++j) {
-      int best = j;
-      for (int i = j + 1; i < n; ++i)
-        if (std::fabs(a.row(i)[j]) > std::fabs(a.row(best)[j])) best = i;
-      pivot[j] = best;
-      if (!(std::fabs(a.row(best)[j]) > 0.0)) return false;
-      if (best != j) std::swap_ranges(a.row(j), a.row(j) + a.stride, a.row(best));
-      const double inverse = 1.0 / a.row(j)[j];
-      // Only the columns of the panel are updated now; those left of j in the same lane keep their factors.
-      const int lane = j / lane_count * lane_count;
-      for (int i = j + 1; i < n; ++i) {
-        double* row = a.row(i);
-        const double s = row[j] * inverse;
-        for (int k = j + 1; k < std::min(lane + lane_count, wide); ++k) row[k] -= s * a.row(j)[k];
-        for (int k = lane + lane_count; k < wide; k += lane_count)
-          axpy(lane_count, -s, a.row(j) + k, row + k);
-        row[j] = s;
-      }
+    const int middle = std::min(first + lane_count, n), last = std::min(first + panel, n);
+    if (!factor_lane(a, first, middle, pivot)) return false;
+    if (last > middle) {
+      solve_lower_rows(a, first, middle, a, middle, lane_count);
+      product(n - middle, lane_count, middle - first, -1.0, a.row(middle) + first, a.stride, 1,
+              a.row(first) + middle, a.stride, a.row(middle) + middle, a.stride);
+      if (!factor_lane(a, middle, last, pivot)) return false;
     }
-    if (last >= a.stride) continue;
-    const int right = a.stride - wide;
-    for (int i = first + 1; i < last; ++i)
-      for (int k = first; k < i; ++k) axpy(right, -a.row(i)[k], a.row(k) + wide, a.row(i) + wide);
-    product(n - last, right, last - first, -1.0, a.row(last) + first, a.stride, 1, a.row(first) + wide,
-            a.stride, a.row(last) + wide, a.stride);
+    const int right = a.stride - first - panel;
+    if (right <= 0) continue;
+    solve_lower_rows(a, first, last, a, first + panel, right);
+    product(n - last, right, last - first, -1.0, a.row(last) + first, a.stride, 1,
+            a.row(first) + first + panel, a.stride, a.row(last) + first + panel, a.stride);
   }
   return true;
 }
@@ -188,23 +251,15 @@ void solve(const Block& a, const int* pivot, const Block& b) {
   const int n = a.rows;
   for (int i = 0; i < n; ++i)
     if (pivot[i] != i) std::swap_ranges(b.row(i), b.row(i) + b.stride, b.row(pivot[i]));
-  for (int first = 0; first < n; first += panel) {
-    const int last = std::min(first + panel, n);
-    for (int i = first + 1; i < last; ++i)
-      for (int k = first; k < i; ++k) axpy(b.stride, -a.row(i)[k], b.row(k), b.row(i));
-    product(n - last, b.stride, last - first, -1.0, a.row(last) + first, a.stride, 1, b.row(first), b.stride,
-            b.row(last), b.stride);
-  }
-  for (int first = (n - 1) / panel * panel; first >= 0; first -= panel) {
-    const int last = std::min(first + panel, n);
-    for (int i = last - 1; i >= first; --i) {
-      for (int k = i + 1; k < last; ++k) axpy(b.stride, -a.row(i)[k], b.row(k), b.row(i));
-      const Lanes inverse(1.0 / a.row(i)[i]);
-      for (int j = 0; j < b.stride; j += lane_count)
-        (Lanes::load(b.row(i) + j) * inverse).store(b.row(i) + j);
-    }
-    product(first, b.stride, last - first, -1.0, a.data + first, a.stride, 1, b.row(first), b.stride, b.data,
-            b.stride);
+  solve_lower_rows(a, 0, n, b, 0, b.stride);
+  for (int first = (n - 1) / rows_at_once * rows_at_once; first >= 0; first -= rows_at_once) {
+    const int last = std::min(first + rows_at_once, n);
+    if (last < n)
+      product(last - first, b.stride, n - last, -1.0, a.row(first) + last, a.stride, 1, b.row(last), b.stride,
+              b.row(first), b.stride);
+    with_rows(last - first, [&]<int R>() {
+      solve_upper<R>(a.row(first) + first, a.stride, b.row(first), b.stride, b.stride);
+    });
   }
 }
 

@@ -100,7 +100,25 @@ bool square_root(const Matrix<N>& a, Matrix<N>& root, Matrix<N>& inverse) {
 
 template <int N>
 Matrix<N> inverse(const Matrix<N>& a) {
-  return spectral<N>(a, [](double x) { return 1.0 / x; });
+  Matrix<N> out{};
+  if constexpr (N == 1) {
+    out[0][0] = 1.0 / a[0][0];
+  } else if constexpr (N == 2) {
+    const double d = 1.0 / (a[0][0] * a[1][1] - a[0][1] * a[1][0]);
+    out = {{{d * a[1][1], -d * a[0][1]}, {-d * a[1][0], d * a[0][0]}}};
+  } else {
+    static_assert(N == 3);
+    double d = 0.0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const int k = (j + 1) % 3, l = (j + 2) % 3, p = (i + 1) % 3, q = (i + 2) % 3;
+        out[i][j] = a[k][p] * a[l][q] - a[k][q] * a[l][p];
+      }
+    for (int k = 0; k < 3; ++k) d += a[0][k] * out[k][0];
+    for (auto& row : out)
+      for (double& x : row) x /= d;
+  }
+  return out;
 }
 
 template <int D>

@@ -115,10 +115,11 @@ class PatchSolver {
   void facet_points(const Facet<D>& facet, const SimplexRule& rule) const;
   void older_states(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older) const;
   /// Modes on an inflow facet of a solution next to it, or of the initial state: D rows of u, then v and
-  /// strain energy-scaled, each padded(count) long, zero beyond count. @param degree of what they are tested
+  /// strain energy-scaled, each padded(count) long, zero beyond count; only u is sure to be filled
+  /// with `displacement`, only the others without. @param degree of what they are tested
   /// with, where the state is not a polynomial
   double* trace_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older, int degree,
-                      int count);
+                      int count, bool displacement);
   double star_values(const Facet<D>& facet, std::span<const Solution<D>> solution) const;
   bool is_vertical(const Facet<D>& facet) const;
   /// An interior facet may be listed by both its elements; it is worked on once, for the first of them.

@@ -41,8 +41,8 @@ void PatchSolver<D>::rigid_motion(const Patch<D>& patch, int e, std::span<const 
     const Facet<D>& facet = patch.facets[f];
     if (facet.kind != FacetKind::inflow || facet.element != e) continue;
     // Both displacements and the rigid motions in the polynomials of degree one on the facet.
-    const double *before = trace_modes(patch, facet, older[f], out.displacement_degree, D + 1),
-                 *now = trace_modes(patch, facet, &out, out.displacement_degree, D + 1);
+    const double *before = trace_modes(patch, facet, older[f], out.displacement_degree, D + 1, true),
+                 *now = trace_modes(patch, facet, &out, out.displacement_degree, D + 1, true);
     const double weight = std::fabs(facet.normal[D]);
     constexpr int stride = padded(D + 1);
     double mode[r][D][D + 1] = {};
@@ -136,7 +136,7 @@ void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::
       const Block &mass = FacetBasis<D>::get().mass(opposite), &modes = FacetBasis<D>::get().modes(opposite);
       const int n = space.polynomials, count = polynomial_count(D, space.degree), stride = padded(count);
       const double weight = std::fabs(facet.normal[D]),
-                   *u = trace_modes(patch, facet, older[f], space.degree, count);
+                   *u = trace_modes(patch, facet, older[f], space.degree, count, true);
       for (int a = 0; a < n; ++a) {
         for (int b = 0; b < n; ++b) matrix.row(at + a)[at + b] += weight * mass.row(a)[b];
         for (int i = 0; i < D; ++i) {

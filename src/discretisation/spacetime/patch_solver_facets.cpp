@@ -224,7 +224,7 @@ void PatchSolver<D>::assemble_inflow(const Patch<D>& patch, const Facet<D>& face
     all = functional(s, {&one, 1}, NU, s.count, false);
   add(s, all, functional(s, {&a, 1}, NU, s.count, false), s.trace.data ? s.scale : 1.0);
 
-  const double* state = trace_modes(patch, facet, older, space.degree, s.count);
+  const double* state = trace_modes(patch, facet, older, space.degree, s.count, false);
   const int stride = padded(s.count);
   double* data = arena_.take(static_cast<std::size_t>(NU * stride));
   for (int i = 0; i < NU; ++i)

@@ -85,8 +85,9 @@ void PatchSolver<D>::older_states(const Patch<D>& patch, const Facet<D>& facet,
 
 template <int D>
 double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older,
-                                    int degree, int count) {
+                                    int degree, int count, bool displacement) {
   constexpr int rows = D + NU;
+  const int first_row = displacement ? 0 : D, last_row = displacement ? D : rows;
   const Elastic<D>& m = *elements_[static_cast<std::size_t>(facet.element)].material;
   const int stride = padded(count);
   double* out = arena_.take(static_cast<std::size_t>(rows * stride));
@@ -132,7 +133,7 @@ double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet
   const int n = polynomial_count(D + 1, older->degree),
             nu = polynomial_count(D + 1, older->displacement_degree);
   double* raw = arena_.take(static_cast<std::size_t>(rows * stride));
-  for (int r = 0; r < rows; ++r) {
+  for (int r = first_row; r < last_row; ++r) {
     const double* coefficient = r < D ? older->displacement.data() + static_cast<std::ptrdiff_t>(r) * nu
                                       : older->fields.data() + static_cast<std::ptrdiff_t>(r - D) * n;
     double* to = raw + r * stride;
@@ -141,15 +142,17 @@ double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet
   }
   for (int c = 0; c < count; ++c) {
     double sum[rows];
-    for (int r = 0; r < rows; ++r) {
+    for (int r = first_row; r < last_row; ++r) {
       base::Lanes part(0.0);
       for (int k = 0; k < stride; k += base::lane_count)
         part = fma(base::Lanes::load(turned.row(c) + k), base::Lanes::load(raw + r * stride + k), part);
       sum[r] = base::sum(part);
     }
-    std::copy_n(sum, D, value);
-    energy_scaled(sum + D, sum + 2 * D);
-    for (int r = 0; r < rows; ++r) out[r * stride + c] = value[r];
+    if (displacement)
+      std::copy_n(sum, D, value);
+    else
+      energy_scaled(sum + D, sum + 2 * D);
+    for (int r = first_row; r < last_row; ++r) out[r * stride + c] = value[r];
   }
   return out;
 }
@@ -235,7 +238,7 @@ double PatchSolver<D>::star_values(const Facet<D>& facet, std::span<const Soluti
   template void PatchSolver<D>::facet_points(const Facet<D>&, const SimplexRule&) const;                  \
   template void PatchSolver<D>::older_states(const Patch<D>&, const Facet<D>&, const Solution<D>*) const; \
   template double* PatchSolver<D>::trace_modes(const Patch<D>&, const Facet<D>&, const Solution<D>*, int, \
-                                               int);                                                      \
+                                               int, bool);                                                \
   template bool PatchSolver<D>::is_vertical(const Facet<D>&) const;                                       \
   template const Target<D>& PatchSolver<D>::target(const Facet<D>&) const;                                \
   template Interface<D> PatchSolver<D>::interface_of(const Facet<D>&) const;                              \
