@@ -63,14 +63,15 @@ template <bool Add, int V>
 void row_band(int rows, int depth, double sign, const double* a, std::ptrdiff_t by_row,
               std::ptrdiff_t by_column, const double* b, std::ptrdiff_t b_stride, double* c,
               std::ptrdiff_t c_stride) {
-  int i = 0;
-  for (; i + 8 <= rows; i += 8)
-    micro<Add, 8, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride, c_stride);
-  if (i < rows)
-    with_rows(rows - i, [&]<int R>() {
+  // As few bands as eight rows at most allow, of nearly equal height: short ones cannot hide latency.
+  for (int i = 0, bands = (rows + 7) / 8; bands > 0; --bands) {
+    const int height = (rows - i + bands - 1) / bands;
+    with_rows(height, [&]<int R>() {
       micro<Add, R, V>(depth, sign, a + i * by_row, by_row, by_column, b, b_stride, c + i * c_stride,
                        c_stride);
     });
+    i += height;
+  }
 }
 
 /// c += sign a b, or c = sign a b, over whole lanes of columns; `width` is a multiple of eight.
