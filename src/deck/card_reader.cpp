@@ -382,6 +382,7 @@ class CardReader final : public ConditionValues {
 
 std::vector<Card> read_cards(const std::shared_ptr<const Deck::Data>& deck, std::size_t block,
                              Diagnostics& diagnostics) {
+  if (!may_read(*deck, block, diagnostics)) return {};
   return CardReader(deck, block, diagnostics).run();
 }
 

@@ -25,15 +25,22 @@ Deck Deck::read(const std::filesystem::path& main_file, const ReadOptions& optio
   std::shared_ptr<const Text> text = storage->load(main_file, why);
   if (text == nullptr) {
     diagnostics.error({}, {}, {}, "the deck '" + main_file.string() + "' cannot be read: " + why);
-    text = Sources::Storage::from_memory({});
+    text = Text::from_memory({});
   }
   return start(main_file, std::move(text), std::move(storage), options, diagnostics);
 }
 
 Deck Deck::read_text(std::string text, const std::string& name, const ReadOptions& options,
                      Diagnostics& diagnostics) {
-  return start(name, Sources::Storage::from_memory(text), std::make_shared<Sources::Storage>(), options,
-               diagnostics);
+  return start(name, Text::from_memory(text), std::make_shared<Sources::Storage>(), options, diagnostics);
+}
+
+bool may_read(const Deck::Data& deck, std::size_t block, Diagnostics& diagnostics) {
+  const int file = deck.bodies[block].file;
+  if (file < 0 || deck.sources.storage->texts[static_cast<std::size_t>(file)]->readable()) return true;
+  diagnostics.error(deck.blocks[block].place, deck.blocks[block].keyword, {},
+                    "the file was changed while it was being read");
+  return false;
 }
 
 const Sources& Deck::sources() const {

@@ -20,6 +20,9 @@ struct Deck::Data {
   std::string title;
 };
 
+/// Is the text of a block still that of its file? If not, an error says so.
+bool may_read(const Deck::Data& deck, std::size_t block, Diagnostics& diagnostics);
+
 /// The data sets of one block by its layout.
 std::vector<Card> read_cards(const std::shared_ptr<const Deck::Data>& deck, std::size_t block,
                              Diagnostics& diagnostics);

@@ -57,18 +57,18 @@ class Reader {
 
   void read_file(FileState state) {
     const Text& text = text_of(state.file);
-    const char *at = text.bytes.get(), *const end = at + text.size;
+    const char *at = text.begin(), *const end = text.end();
     bool open = false, ended = false;
     int number = 1, stray = 0, first_stray = 0;
     while (at != end && !ended) {
-      const char* const stop = line_end(at, end, text.has_return);
+      const char* const stop = line_end(at, end, text.has_return());
       const char* const next = after_line(stop, end);
       const std::string_view line(at, static_cast<std::size_t>(stop - at));
       if (*at == '*' || (*at == '-' && line.starts_with(encrypted_begin))) {
         if (open) close_block(state, at, number);
         open = false;
         if (*at == '-') {
-          at = skip_encrypted(state.file, at, end, text.has_return, number);
+          at = skip_encrypted(state.file, at, end, text.has_return(), number);
           first_stray = -1;  // what follows belonged to no keyword we can see
           continue;
         }
@@ -155,7 +155,7 @@ class Reader {
     lines.file = state.file;
     lines.first_line = number + 1;
     lines.format = format;
-    lines.has_return = text_of(state.file).has_return;
+    lines.has_return = text_of(state.file).has_return();
     lines.epoch = data_->parameters.epoch();
     data_->blocks.push_back(std::move(block));
     data_->bodies.push_back(lines);

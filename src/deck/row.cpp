@@ -1,6 +1,7 @@
 /// Streams the rows of bulk keywords without storing them.
 
 #include <algorithm>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "deck/deck_data.hpp"
@@ -125,6 +126,9 @@ void Deck::rows(const Block& block, Diagnostics& diagnostics,
                 "rows are for keywords whose data set is one line");
 
   const Body& body = data_->bodies[block.index];
+  if (!may_read(*data_, block.index, diagnostics)) return;
+  const Text& text = *data_->sources.storage->texts[static_cast<std::size_t>(body.file)];
+  const char* taken = body.begin;
   Row::Reader reader;
   reader.context = {&data_->parameters, &data_->sources, &diagnostics, block.keyword, body.file, body.epoch};
   reader.format = body.format;
@@ -136,6 +140,8 @@ void Deck::rows(const Block& block, Diagnostics& diagnostics,
 
   Line line;
   for (LineCursor lines(body); lines.next(line);) {
+    if (static_cast<std::size_t>(line.text.data() - taken) >= Text::stretch)
+      text.give_back(std::exchange(taken, line.text.data()), line.text.data());
     if (is_blank(line.text)) continue;  // nobody means an entity without an id
     reader.set(0, line, fields_of(0), count);
     reader.counts[1] = 0;
@@ -155,6 +161,7 @@ void Deck::rows(const Block& block, Diagnostics& diagnostics,
     }
     take(row);
   }
+  if (taken != body.begin) text.give_back(taken, body.end);
 }
 
 }  // namespace cleave::deck
