@@ -60,6 +60,8 @@ double bytes(const std::vector<T>& array) {
   return static_cast<double>(array.size() * sizeof(T));
 }
 
+// The sanitizers' own memory is many times what is measured.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(Reading, TakesLessThanThreeTimesTheArraysOfTheModel) {
   const auto path =
       std::filesystem::temp_directory_path() / ("cleave_memory_" + std::to_string(::getpid()) + ".k");
@@ -88,6 +90,7 @@ TEST(Reading, TakesLessThanThreeTimesTheArraysOfTheModel) {
   EXPECT_GT(peak, arrays) << "not measured";
   EXPECT_LT(peak, 3.0 * arrays);
 }
+#endif
 
 }  // namespace
 }  // namespace cleave::model
