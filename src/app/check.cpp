@@ -1,3 +1,5 @@
+#include "model/check.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <vector>
@@ -54,14 +56,17 @@ void print_costs(const model::Model& model, const discretisation::World& world,
 }  // namespace
 
 int check(const Options& options) {
-  Reading reading = read_deck(options);
+  // Without an end time nothing runs, but everything else can be told.
+  Reading reading = read_deck(options, false);
   auto world = reading.failed() ? nullptr
                                 : std::make_unique<discretisation::World>(
                                       discretisation::build(reading.model, reading.diagnostics));
+  const bool complete = !reading.failed();
+  if (complete) model::check_end_time(reading.model, *reading.deck, reading.diagnostics);
   print_diagnostics(reading);
   std::printf("%s\n\n%s", reading.model.title.empty() ? options.input.c_str() : reading.model.title.c_str(),
               table_of(reading.account).c_str());
-  if (reading.failed()) return bad_deck;
+  if (!complete) return bad_deck;
 
   const model::ModelReport report = model::report(reading.model);
   print_parts(report);
@@ -74,12 +79,11 @@ int check(const Options& options) {
   discretisation::State state;
   const auto status = discretisation::initialise(*world, state);
   if (!status.ok) {
-    std::printf("\n  element %lld: %s; %s\n", static_cast<long long>(status.element), status.what.c_str(),
-                status.likely_cause.c_str());
+    print_unfit(reading, status);
     return bad_deck;
   }
   print_costs(reading.model, *world, state);
-  return done;
+  return reading.failed() ? bad_deck : done;
 }
 
 }  // namespace cleave::app

@@ -28,7 +28,8 @@ struct Reading {
 };
 
 /// Reads the deck and builds the model. Diagnostics are collected, not printed.
-Reading read_deck(const Options& options);
+/// @param needs_end_time  is a deck that gives no end time an error?
+Reading read_deck(const Options& options, bool needs_end_time = true);
 
 /// Prints the diagnostics to standard error, coloured on a terminal; their number comes last.
 void print_diagnostics(const Reading& reading);

@@ -6,7 +6,7 @@
 
 namespace cleave::app {
 
-Reading read_deck(const Options& options) {
+Reading read_deck(const Options& options, bool needs_end_time) {
   Reading reading;
   reading.deck = deck::Deck::read(
       options.input, {.include_paths = options.include_paths, .refuse_unknown = !options.allow_unsupported},
@@ -17,9 +17,11 @@ Reading read_deck(const Options& options) {
                                 "is it a keyword deck? Its first line should be *KEYWORD");
     return reading;
   }
-  reading.model = model::build(*reading.deck, {.allow_unsupported = options.allow_unsupported},
+  reading.model = model::build(*reading.deck,
+                               {.allow_unsupported = options.allow_unsupported,
+                                .end_time = options.end_time,
+                                .needs_end_time = needs_end_time},
                                reading.diagnostics, reading.account);
-  if (options.end_time > 0.0) reading.model.control.end.time = options.end_time;
   return reading;
 }
 

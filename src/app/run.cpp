@@ -42,9 +42,7 @@ int run(const Options& options) {
   if (!world) return bad_deck;
   discretisation::State state;
   if (const auto status = discretisation::initialise(*world, state); !status.ok) {
-    std::fprintf(stderr, "cleave: part %lld, element %lld: %s\n  %s\n",
-                 static_cast<long long>(reading.model.parts[status.part].id),
-                 static_cast<long long>(status.element), status.what.c_str(), status.likely_cause.c_str());
+    print_unfit(reading, status);
     return bad_deck;
   }
 

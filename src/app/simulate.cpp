@@ -7,6 +7,7 @@
 #include "app/account.hpp"
 #include "app/switches.hpp"
 #include "app/version.hpp"
+#include "model/keyword/row_place.hpp"
 #include "results/picture_writer.hpp"
 #include "results/recorder.hpp"
 #include "solver/solver.hpp"
@@ -19,6 +20,15 @@ std::unique_ptr<discretisation::World> build_world(Reading& reading) {
   if (!reading.failed()) return world;
   print_diagnostics(reading);
   return nullptr;
+}
+
+void print_unfit(const Reading& reading, const discretisation::StepStatus& status) {
+  const auto places =
+      model::row_places(*reading.deck, "ELEMENT_SOLID", model::IdKind::element, {status.element});
+  deck::Diagnostics diagnostics;
+  diagnostics.error(places.empty() ? deck::Place{} : places.begin()->second, "ELEMENT_SOLID", "EID",
+                    "element " + std::to_string(status.element) + ": " + status.what, status.likely_cause);
+  std::fputs(diagnostics.render(reading.deck->sources(), isatty(STDERR_FILENO)).c_str(), stderr);
 }
 
 int simulate(const Simulation& simulation, discretisation::State& state) {

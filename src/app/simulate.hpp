@@ -25,4 +25,7 @@ int simulate(const Simulation& simulation, discretisation::State& state);
 /// Blocks of the model; what it has to say against the deck is printed. Null when it was refused.
 std::unique_ptr<discretisation::World> build_world(Reading& reading);
 
+/// Prints what an element has against the mesh as it is given, at its line of the deck.
+void print_unfit(const Reading& reading, const discretisation::StepStatus& status);
+
 }  // namespace cleave::app

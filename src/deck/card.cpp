@@ -107,6 +107,14 @@ bool Card::given(std::string_view name, std::size_t row) const {
   return cell != nullptr && cell->given;
 }
 
+bool Card::unreadable(std::string_view name, std::size_t row) const {
+  if (data_->find_series(name)) return false;
+  const table::Field* field = nullptr;
+  const Data::LineRead* line = nullptr;
+  const Cell* cell = data_->cell(name, row, field, line);
+  return cell != nullptr && cell->unreadable;
+}
+
 std::size_t Card::row_count(std::string_view name) const {
   if (const Data::Series* s = data_->find_series(name)) return s->reals.size() + s->integers.size();
   std::size_t count = 0;

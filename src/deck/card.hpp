@@ -32,8 +32,11 @@ class Card {
   std::string_view text(std::string_view field, std::size_t row = 0) const;
   double operator[](std::string_view field) const { return real(field); }
 
-  /// Was something written in this field (not blank)?
+  /// Was something written in this field (not blank), and could it be read?
   bool given(std::string_view field, std::size_t row = 0) const;
+  /// Was something written that could not be read? The reader has reported it; whatever else is wrong with
+  /// the value follows from that.
+  bool unreadable(std::string_view field, std::size_t row = 0) const;
   /// How many rows hold this field (1 for a field of a plain line that is present, 0 if its line is absent).
   std::size_t row_count(std::string_view field) const;
   /// All values of a series, zeros and blanks at line ends included (they are padding, caller skips them).

@@ -19,7 +19,8 @@ struct Cell {
   std::uint32_t size = 0;   ///< of the text
   std::int32_t column = 0;  ///< from 1
   std::uint16_t width = 0;
-  bool given = false;
+  bool given = false;       ///< something was written and could be read
+  bool unreadable = false;  ///< something was written that could not be read; a diagnostic has said so
   Cell() : integer(0) {}
 };
 

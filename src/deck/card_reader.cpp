@@ -244,7 +244,10 @@ class CardReader final : public ConditionValues {
       Cell cell;
       cell.column = slice.column;
       cell.width = static_cast<std::uint16_t>(std::min(slice.width, 65535));
-      if (!slice.text.empty()) read_cell(slice, field, cell);
+      if (!slice.text.empty()) {
+        read_cell(slice, field, cell);
+        cell.unreadable = !cell.given;
+      }
       card_->cells.push_back(cell);
       latest_[item.first_field + k] = first_cell + static_cast<std::uint32_t>(k);
     }

@@ -86,8 +86,9 @@ class Block {
   // --- for results and external tools ---------------------------------------------------------------
   virtual std::vector<ElementField> fields() const = 0;
   /// Values of a field averaged over an element's points: [element][size]. Asserts on an unknown name.
+  /// @param elements  places in block order, in the order of `out`; empty means every element
   virtual void evaluate(std::string_view field, const base::Array<double>& position, const BlockState& state,
-                        std::span<double> out) const = 0;
+                        std::span<const std::size_t> elements, std::span<double> out) const = 0;
   /// Is the element still there? [element]
   virtual void alive(const BlockState& state, std::span<bool> out) const = 0;
   /// Bytes per element: connectivity, state and tables, for the memory report.

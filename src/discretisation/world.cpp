@@ -23,6 +23,17 @@ std::string choices(std::string_view family, model::Shape shape) {
   return text;
 }
 
+/// The formulation of a part for elements of a shape. Parts of hexahedra (ELFORM 1, 2) take tetrahedra and
+/// wedges as ELFORM 10 and 15 in any case; with ESORT a wedge in a part of tetrahedra becomes ELFORM 15 as
+/// well.
+const FormulationEntry* formulation_of(const model::Model& model, const model::Section& section,
+                                       model::Shape shape) {
+  const auto* entry = find_formulation(section.family, section.form, shape);
+  if (!entry && section.family == "SOLID" && model.control.solid_sort != 0 && shape == model::Shape::penta6)
+    return find_formulation(section.family, 15, shape);
+  return entry;
+}
+
 }  // namespace
 
 World build(const model::Model& model, deck::Diagnostics& diagnostics) {
@@ -50,13 +61,16 @@ World build(const model::Model& model, deck::Diagnostics& diagnostics) {
   for (std::size_t p = 0; p < by_part.size(); ++p)
     for (const PartElements& elements : by_part[p]) {
       const model::Part& part = model.parts[p];
-      const auto* entry = find_formulation(part.section.family, part.section.form, elements.shape);
+      const auto* entry = formulation_of(model, part.section, elements.shape);
       if (!entry) {
         diagnostics.error(part.section.place, "SECTION_" + part.section.family, "ELFORM",
                           "no formulation for ELFORM " + std::to_string(part.section.form) + " with " +
                               std::string(model::name_of(elements.shape)) + " elements, which part " +
                               std::to_string(part.id) + " has",
-                          choices(part.section.family, elements.shape));
+                          choices(part.section.family, elements.shape) +
+                              (part.section.family == "SOLID" && elements.shape == model::Shape::penta6
+                                   ? "; or let *CONTROL_SOLID ESORT = 1 do that"
+                                   : ""));
         continue;
       }
       if (auto block = entry->build(elements, diagnostics)) world.blocks.push_back(std::move(block));

@@ -122,6 +122,7 @@ Model build(const deck::Deck& deck, const BuildOptions& options, deck::Diagnosti
     for (const auto& act : draft.after_phase) act();
     draft.after_phase.clear();
     if (finish) finish(draft);
+    if (phase == Phase::definition && options.end_time > 0.0) model.control.end.time = options.end_time;
   }
 
   finish_parts(draft);
@@ -132,7 +133,10 @@ Model build(const deck::Deck& deck, const BuildOptions& options, deck::Diagnosti
   name_node_lists(model);
   model.requests.title = model.title;
   settle_policies(account);
-  if (!diagnostics.failed()) check(model, diagnostics);
+  if (!diagnostics.failed()) {
+    check(model, deck, diagnostics);
+    if (options.needs_end_time) check_end_time(model, deck, diagnostics);
+  }
   return model;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "model/keyword/row_place.hpp"
 #include "model/material/law.hpp"
 #include "model/report.hpp"
 #include "model/solid_geometry.hpp"
@@ -25,7 +26,7 @@ std::string list(const std::vector<Id>& ids) {
   return ids.size() > 5 ? text + " and " + std::to_string(ids.size() - 5) + " more" : text;
 }
 
-void check_elements(const Model& model, deck::Diagnostics& diagnostics) {
+void check_elements(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
   std::vector<Id> bad;
   std::vector<std::size_t> count(model.parts.size(), 0);
   std::array<Corner, 10> x;
@@ -42,8 +43,14 @@ void check_elements(const Model& model, deck::Diagnostics& diagnostics) {
         bad.push_back(group.id[e]);
     }
   }
-  if (!bad.empty())
-    diagnostics.error({}, "ELEMENT_SOLID", "", "elements with volume 0 or less: " + list(bad),
+  // Each at its line; of very many the first ones tell what is wrong.
+  constexpr std::size_t most = 100;
+  const std::size_t count_bad = bad.size();
+  bad.resize(std::min(most, count_bad));
+  for (const auto& [id, place] : row_places(deck, "ELEMENT_SOLID", IdKind::element, bad))
+    diagnostics.error(place, "ELEMENT_SOLID", "EID",
+                      "element " + std::to_string(id) + " has volume 0 or less" +
+                          (count_bad > 1 ? ", one of " + std::to_string(count_bad) : ""),
                       "number the nodes of the bottom face counter-clockwise seen from the top face");
   for (std::size_t i = 0; i < count.size(); ++i)
     if (count[i] == 0)
@@ -51,7 +58,7 @@ void check_elements(const Model& model, deck::Diagnostics& diagnostics) {
                           "part " + std::to_string(model.parts[i].id) + " has no elements");
 }
 
-void check_nodes(const Model& model, deck::Diagnostics& diagnostics) {
+void check_nodes(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
   std::vector<char> massive(model.mesh.nodes.count(), 0);
   for (const Elements& group : model.mesh.solids)
     for (const Index i : group.node) massive[i] = 1;
@@ -70,11 +77,12 @@ void check_nodes(const Model& model, deck::Diagnostics& diagnostics) {
     for (const Segment& s : load.segments) std::for_each(s.node, s.node + 4, look);
   std::sort(loaded.begin(), loaded.end());
   loaded.erase(std::unique(loaded.begin(), loaded.end()), loaded.end());
+  const auto place_of = [&](Id id) { return row_places(deck, "NODE", IdKind::node, {id})[id]; };
   if (!loaded.empty())
-    diagnostics.error({}, "LOAD_NODE", "", "loaded nodes without mass: " + list(loaded),
+    diagnostics.error(place_of(loaded[0]), "NODE", "NID", "loaded nodes without mass: " + list(loaded),
                       "connect them to an element, or add an *ELEMENT_MASS");
   if (!alone.empty())
-    diagnostics.warning({}, "NODE", "",
+    diagnostics.warning(place_of(alone[0]), "NODE", "NID",
                         std::to_string(alone.size()) + " nodes belong to no element: " + list(alone));
 }
 
@@ -89,7 +97,7 @@ void check_curves(const Model& model, deck::Diagnostics& diagnostics) {
     if (i < 0) continue;
     const Curve& c = model.curves[i];
     if (c.x.back() < model.control.end.time)
-      diagnostics.warning({}, "DEFINE_CURVE", "",
+      diagnostics.warning(c.place, "DEFINE_CURVE", "LCID",
                           "curve " + std::to_string(c.id) + " ends at " + number(c.x.back()) +
                               ", before the run does at " + number(model.control.end.time),
                           "loads are zero after the last point of their curve");
@@ -120,12 +128,16 @@ void check_materials(const Model& model, deck::Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check(const Model& model, deck::Diagnostics& diagnostics) {
-  if (!(model.control.end.time > 0.0))
-    diagnostics.error({}, "CONTROL_TERMINATION", "ENDTIM", "the deck gives no end time",
-                      "add *CONTROL_TERMINATION");
-  check_elements(model, diagnostics);
-  check_nodes(model, diagnostics);
+void check_end_time(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
+  if (model.control.end.time > 0.0) return;
+  const deck::Place place = deck.blocks().empty() ? deck::Place{} : deck.blocks().front().place;
+  diagnostics.error(place, "CONTROL_TERMINATION", "ENDTIM", "the deck gives no end time",
+                    "add *CONTROL_TERMINATION");
+}
+
+void check(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
+  check_elements(model, deck, diagnostics);
+  check_nodes(model, deck, diagnostics);
   check_curves(model, diagnostics);
   check_materials(model, diagnostics);
 }

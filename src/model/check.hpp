@@ -6,8 +6,11 @@
 
 namespace cleave::model {
 
-/// Errors: elements inside out, no end time, a loaded or moved node without mass. Warnings: parts without
-/// elements, nodes of no element, curves that end before the run does, parts in different units.
-void check(const Model& model, deck::Diagnostics& diagnostics);
+/// Errors: elements inside out, a loaded or moved node without mass. Warnings: parts without elements, nodes
+/// of no element, curves that end before the run does, parts in different units.
+void check(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics);
+
+/// The error of a deck that says nowhere when its run ends.
+void check_end_time(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics);
 
 }  // namespace cleave::model

@@ -82,7 +82,7 @@ struct Control {
   Hourglass hourglass;               ///< default for parts without their own
   int invariant_node_numbering = 1;  ///< *CONTROL_ACCURACY INN, 1 none
   SpacetimeControl spacetime;
-  int solid_sort = 0;  ///< *CONTROL_SOLID ESORT: 1 tetrahedra and wedges take ELFORM 10 and 15
+  int solid_sort = 0;  ///< *CONTROL_SOLID ESORT: 1 wedges in a part of tetrahedra take ELFORM 15
 };
 
 }  // namespace cleave::model

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "deck/diagnostic.hpp"
 #include "model/mesh.hpp"
 
 namespace cleave::model {
@@ -12,6 +13,7 @@ class Curve {
  public:
   Id id = 0;
   std::string title;
+  deck::Place place;         ///< in the deck, for messages
   std::vector<double> x, y;  ///< x ascending; equal neighbours are a jump
 
   /// Linear interpolation; outside the range the end value is kept.

@@ -68,6 +68,8 @@ struct Account {
 
 struct BuildOptions {
   bool allow_unsupported = false;  ///< refused physics becomes a warning that is repeated at the end
+  double end_time = 0.0;           ///< in place of the deck's, if above 0 [time]
+  bool needs_end_time = true;      ///< a deck without one is an error
 };
 
 /// Cards to Model. Errors and refusals are diagnostics; the Model is usable only if none is an error.

@@ -33,25 +33,26 @@ std::vector<Quantity> element_quantities(const discretisation::World& world) {
 
 void evaluate(const Quantity& quantity, const discretisation::Block& block,
               const base::Array<double>& position, const discretisation::BlockState& state,
-              std::vector<double>& out) {
-  const std::size_t count = block.element_ids().size(), size = static_cast<std::size_t>(quantity.size);
+              std::span<const std::size_t> elements, std::vector<double>& out) {
+  const std::size_t count = elements.empty() ? block.element_ids().size() : elements.size();
+  const std::size_t size = static_cast<std::size_t>(quantity.size);
   out.assign(count * size, 0.0);
   const auto fields = block.fields();
   if (const auto* field = find(fields, quantity.name)) {
     const std::size_t own = static_cast<std::size_t>(field->size);
     if (own == size) {
-      block.evaluate(field->name, position, state, out);
+      block.evaluate(field->name, position, state, elements, out);
       return;
     }
     std::vector<double> values(count * own);
-    block.evaluate(field->name, position, state, values);
+    block.evaluate(field->name, position, state, elements, values);
     for (std::size_t e = 0; e < count; ++e)
       for (std::size_t k = 0; k < own; ++k) out[e * size + k] = values[e * own + k];
     return;
   }
   if ((quantity.name != "pressure" && quantity.name != "von_mises") || !find(fields, "stress")) return;
   std::vector<double> stress(6 * count);
-  block.evaluate("stress", position, state, stress);
+  block.evaluate("stress", position, state, elements, stress);
   for (std::size_t e = 0; e < count; ++e) {
     const double* s = &stress[6 * e];
     const base::Sym3<double> sigma{s[0], s[1], s[2], s[3], s[4], s[5]};

@@ -20,10 +20,11 @@ std::vector<Quantity> element_quantities(const discretisation::World& world);
 
 /// Values of one quantity in one block; what the block does not have is 0 (pressure and von Mises stress are
 /// computed from its stress).
-/// @param out  [element][quantity.size], resized
+/// @param elements  places in block order; empty means every element
+/// @param out       [element][quantity.size], resized
 void evaluate(const Quantity& quantity, const discretisation::Block& block,
               const base::Array<double>& position, const discretisation::BlockState& state,
-              std::vector<double>& out);
+              std::span<const std::size_t> elements, std::vector<double>& out);
 
 /// Column or component names: "stress_xx" ... for stress, NAME for a scalar, NAME_1 ... otherwise.
 std::vector<std::string> component_names(const Quantity& quantity);

@@ -25,7 +25,8 @@ std::vector<std::vector<float>> element_values(const solver::Frame& frame, const
   for (std::size_t b = 0; b < frame.world.blocks.size(); ++b) {
     const Block& block = *frame.world.blocks[b];
     std::vector<double> numbers(block.element_ids().size(), 0.0);
-    if (has_field(block, field)) block.evaluate(field, frame.state.position, frame.state.blocks[b], numbers);
+    if (has_field(block, field))
+      block.evaluate(field, frame.state.position, frame.state.blocks[b], {}, numbers);
     values.emplace_back(numbers.begin(), numbers.end());
   }
   return values;

@@ -157,7 +157,7 @@ class Grid {
                    std::vector<double> values;
                    for (std::size_t b = 0; b < alive_.size(); ++b) {
                      evaluate(quantity, *frame_.world.blocks[b], frame_.state.position,
-                              frame_.state.blocks[b], values);
+                              frame_.state.blocks[b], {}, values);
                      each_alive(b, [&](std::size_t e, const Index*) {
                        for (std::size_t k = 0; k < size; ++k) real(file, values[size * e + k]);
                      });

@@ -56,6 +56,28 @@ class Statuses(Case):
                 self.assertIn("error", err)
         self.assertEqual(sorted(os.listdir(self.folder)), ["empty.k", "folder.k", "letter.k"])
 
+    def test_check_tells_everything_but_an_end_time(self):
+        text = bar((1, 1, 9), end=1e-6)
+        card = text[text.index("*CONTROL_TERMINATION"):]
+        card = card[:card.index("*", 1)]
+        deck = self.write("endless.k", text.replace(card, ""))
+        out, err = self.cleave("check", deck, status=3)
+        self.assertIn("endless.k:1:1: error: *CONTROL_TERMINATION ENDTIM: the deck gives no end time", err)
+        for word in ("MAT_", "jacobian", "time step", "MiB", "9 elements"):
+            self.assertIn(word, out)
+        self.cleave("run", deck, "-q", status=3)
+        self.cleave("run", deck, "-q", "--end-time", "1e-7")
+
+    def test_an_element_unfit_for_its_form_has_its_line(self):
+        text = bar((1, 1, 2))
+        lines = text.splitlines()
+        at = lines.index("*ELEMENT_SOLID") + 2
+        words = lines[at - 1].split()
+        self.write("turned.k", "\n".join(
+            lines[:at - 1] + ["".join(f"{w:>8}" for w in words[:2] + words[6:] + words[2:6])] + lines[at:]) + "\n")
+        _, err = self.cleave("check", "turned.k", status=3)
+        self.assertIn(f"turned.k:{at}:1: error: *ELEMENT_SOLID EID: element {words[0]} has volume 0 or less", err)
+
     def test_failed_physics(self):
         self.cleave("run", self.write("crash.k", bar(**CRASH)), "-q", status=4)
         run = self.folder / "crash.run"

@@ -137,8 +137,9 @@ class SolidBlock final : public Block {
   std::vector<ElementField> fields() const override { return solid_fields(*law_); }
 
   void evaluate(std::string_view field, const base::Array<double>&, const BlockState& state,
-                std::span<double> out) const override {
-    evaluate_solid_field(*law_, layout_, points, element_size_, table_.element_count, state, field, out);
+                std::span<const std::size_t> elements, std::span<double> out) const override {
+    evaluate_solid_field(*law_, layout_, points, element_size_, table_.element_count, state, field, elements,
+                         out);
   }
 
   void alive(const BlockState& state, std::span<bool> out) const override {

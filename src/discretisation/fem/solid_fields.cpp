@@ -54,13 +54,16 @@ std::vector<ElementField> solid_fields(const model::Law& law) {
 
 void evaluate_solid_field(const model::Law& law, const PointLayout& layout, int points, int element_size,
                           std::size_t element_count, const BlockState& state, std::string_view field,
-                          std::span<double> out) {
+                          std::span<const std::size_t> elements, std::span<double> out) {
   const Reader read{layout, points, element_size, state};
   const auto each = [&](int size, const auto& value) {
     const auto wide = static_cast<std::size_t>(size);
-    CLEAVE_ASSERT(out.size() == element_count * wide, "one value per element and component");
-    for (std::size_t e = 0; e < element_count; ++e)
-      for (int i = 0; i < size; ++i) out[e * wide + static_cast<std::size_t>(i)] = value(e, i);
+    const std::size_t count = elements.empty() ? element_count : elements.size();
+    CLEAVE_ASSERT(out.size() == count * wide, "one value per element and component");
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t e = elements.empty() ? k : elements[k];
+      for (int i = 0; i < size; ++i) out[k * wide + static_cast<std::size_t>(i)] = value(e, i);
+    }
   };
   if (field == "stress")
     return each(6, [&](std::size_t e, int i) { return read.mean(e, PointLayout::stress + i); });

@@ -26,6 +26,9 @@ void take_time_step(Draft& draft, const Entry& entry) {
   step.mass_scaling = entry.real("DT2MS", a_time);
   step.mass_scaling_first_only = entry.integer("MS1ST") == 1;
   step.erode = entry.integer("ERODE") != 0;
+  if (step.erode && step.mass_scaling != 0.0)
+    draft.warning(entry, "ERODE", "not used with mass scaling (DT2MS): a scaled element is not small",
+                  "leave DT2MS blank to delete elements by their time step");
   step.limit_curve = draft.curve(entry, "LCTM", false);
   if (entry.integer("DT2MSLC") != 0) step.mass_scaling_curve = draft.curve(entry, "DT2MSLC", false);
   if (entry.integer("ISDO") != 0)
@@ -74,6 +77,9 @@ void take_solid(Draft& draft, const Entry& entry) {
   const auto sort = entry.integer("ESORT");
   if (sort < 0 || sort > 2)
     draft.error(entry, "ESORT", "found " + std::to_string(sort) + ", expected 0, 1 or 2");
+  if (sort == 2)
+    return draft.refuse(entry, "ESORT", "wedges with one point (ELFORM 115)",
+                        "1 makes wedges ELFORM 15 and tetrahedra ELFORM 10");
   draft.model.control.solid_sort = static_cast<int>(sort);
 }
 
@@ -135,7 +141,9 @@ constexpr Handler handlers[] = {
      .phase = Phase::definition,
      .honoured = "ESORT",
      .harmless = "FMATRX SWLOCL T10JTOL ICOH RINRT COHEQC",
-     .take = take_solid},
+     .take = take_solid,
+     .remark = "tetrahedra and wedges in a part of hexahedra are ELFORM 10 and 15 with any ESORT, never "
+               "hexahedra with repeated nodes"},
 };
 
 }  // namespace

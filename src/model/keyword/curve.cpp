@@ -31,6 +31,7 @@ void take_curve(Draft& draft, const Entry& entry) {
   Curve curve;
   curve.id = entry.id(IdKind::function, "LCID");
   curve.title = entry.title();
+  curve.place = entry.place("LCID");
   if (curve.id <= 0) return draft.error(entry, "LCID", "a curve number must be 1 or more");
   if (!draft.claim(entry, "curve or table", curve.id, "LCID")) return;
   refuse_units(draft, entry);

@@ -24,12 +24,19 @@ Draft::Draft(const deck::Deck& d, const BuildOptions& o, deck::Diagnostics& say,
 
 // --- messages ----------------------------------------------------------------------------------------
 
+/// Has the reader already said that this field makes no sense? Then what follows from it is not said again.
+static bool said_before(const Entry& entry, std::string_view field) {
+  return !field.empty() && entry.has(field) && entry.card().unreadable(field);
+}
+
 void Draft::error(const Entry& entry, std::string_view field, std::string message, std::string hint) {
+  if (said_before(entry, field)) return;
   const auto place = field.empty() ? entry.place() : entry.place(field);
   diagnostics.error(place, entry.keyword(), std::string(field), std::move(message), std::move(hint));
 }
 
 void Draft::warning(const Entry& entry, std::string_view field, std::string message, std::string hint) {
+  if (said_before(entry, field)) return;
   const auto place = field.empty() ? entry.place() : entry.place(field);
   diagnostics.warning(place, entry.keyword(), std::string(field), std::move(message), std::move(hint));
 }
@@ -43,6 +50,7 @@ void Draft::refuse(deck::Place place, std::string keyword, std::string field, st
 }
 
 void Draft::refuse(const Entry& entry, std::string_view field, std::string message, std::string hint) {
+  if (said_before(entry, field)) return;
   const auto place = field.empty() ? entry.place() : entry.place(field);
   refuse(place, entry.keyword(), std::string(field), std::move(message), std::move(hint));
 }

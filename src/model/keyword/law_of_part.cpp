@@ -29,9 +29,11 @@ bool check_fields(Draft& draft, Account& account, const Entry& entry, std::span<
         return FieldUse::honoured;
     return names(harmless, name) ? FieldUse::harmless : FieldUse::ignored;
   });
+  bool readable = true;
   for (const LawField& f : fields) {
     if (!entry.has(f.name)) continue;
     if (!entry.given(f.name)) {
+      readable = readable && !entry.card().unreadable(f.name);
       if (f.required)
         draft.error(entry, f.name,
                     std::string(f.name) + " [" + std::string(f.dimension) + "] is needed and blank");
@@ -50,7 +52,7 @@ bool check_fields(Draft& draft, Account& account, const Entry& entry, std::span<
                   "found " + shortest(value) + ", expected a value " +
                       (f.high_open ? "below " : "of at most ") + shortest(f.high));
   }
-  return draft.diagnostics.count(deck::Severity::error) == before;
+  return readable && draft.diagnostics.count(deck::Severity::error) == before;
 }
 
 class LawBuilder {
@@ -112,9 +114,25 @@ class LawBuilder {
                              .diagnostics = draft_.diagnostics,
                              .function_offset = id_offset(entry.transform(), IdKind::function)};
     std::unique_ptr<Law> made = law->build(entry.card(), context);
+    if (made) doubt(entry, part.density, *made);
     if (made && draft_.additions.contains(part.material_id))
       made = add(std::move(made), part.material_id, context);
     return made;
+  }
+
+  /// No consistent units make these of a material: from kilometres to nanometres densities in use lie between
+  /// 1e-27 and 1e15, wave speeds between 1e-6 and 1e15.
+  void doubt(const Entry& entry, double density, const Law& law) {
+    const double speed = std::sqrt(law.longitudinal_modulus() / density);
+    if (density < 1e-28 || density > 1e16)
+      draft_.warning(entry, "RO",
+                     "found " + shortest(density) + ", a density that no material has in any usual units",
+                     "in the units of the deck, e.g. 7.85e-9 tonne/mm3 for steel");
+    else if (speed < 1e-7 || speed > 1e16)
+      draft_.warning(entry, "RO",
+                     "found " + shortest(density) + "; with the stiffness of this material waves travel at " +
+                         shortest(speed) + ", as in no material in any usual units",
+                     "use one consistent set: force = mass length / time^2");
   }
 
   std::unique_ptr<PressureLaw> make_pressure(const Part& part, const Entry& part_entry, bool& good) {

@@ -16,12 +16,17 @@ class Collector {
 
   void take(const deck::Row& row) {
     const auto& transform = draft_.deck.transforms()[row.transform];
+    const std::size_t errors = draft_.diagnostics.count(deck::Severity::error);
     std::array<Id, 10> id{};
     const int columns = std::min(row.field_count(), 12);
     for (int a = 0; a + 2 < columns; ++a)
       if (const Id written = row.integer(a + 2)) id[a] = written + transform.node_offset;
     const Id element = row.integer(0) + transform.element_offset;
 
+    const Id part_id = row.integer(1) + transform.part_offset;
+
+    // A number that could not be read has been reported; what follows from it is not said again.
+    if (draft_.diagnostics.count(deck::Severity::error) != errors) return;
     const Classified solid = classify(id);
     if (row.integer(0) <= 0) {
       complain(row, 0, "EID", "an element number must be 1 or more");
@@ -30,7 +35,7 @@ class Collector {
                "the nodes of element " + std::to_string(element) + " make no solid: " + list(id),
                "a solid has 8 nodes (hexahedron), 6 (N5 = N6, N7 = N8), 5 (N5 = ... = N8), 4 (N4 = ... = N8) "
                "or 10");
-    } else if (const Index part = part_of(row.integer(1) + transform.part_offset, row); part >= 0) {
+    } else if (const Index part = part_of(part_id, row); part >= 0) {
       append(element, part, solid, row, id);
     }
   }

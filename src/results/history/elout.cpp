@@ -67,23 +67,25 @@ class Elout final : public History {
         "                       plastic\n"
         "           state                                                                       "
         "           effsg      strain\n";
-    // A block is evaluated as a whole, once per quantity, and only if some of its elements are wanted.
     std::vector<std::vector<double>> values(elements_.size());
     std::vector<bool> gone(elements_.size(), false);
     for (std::size_t b = 0; b < world.blocks.size(); ++b) {
-      if (std::none_of(elements_.begin(), elements_.end(), [b](const Element& e) { return e.block == b; }))
-        continue;
-      const Alive alive(*world.blocks[b], now.state().blocks[b]);
+      // The elements wanted of this block: `which` of the list, at `places` of the block.
+      std::vector<std::size_t> which, places;
       for (std::size_t i = 0; i < elements_.size(); ++i)
-        if (elements_[i].block == b) gone[i] = !alive[elements_[i].place];
-      std::vector<double> whole;
+        if (elements_[i].block == b) {
+          which.push_back(i);
+          places.push_back(elements_[i].place);
+        }
+      if (which.empty()) continue;
+      const Alive alive(*world.blocks[b], now.state().blocks[b]);
+      for (const std::size_t i : which) gone[i] = !alive[elements_[i].place];
+      std::vector<double> part;
       for (const Quantity& quantity : quantities_) {
-        evaluate(quantity, *world.blocks[b], now.state().position, now.state().blocks[b], whole);
+        evaluate(quantity, *world.blocks[b], now.state().position, now.state().blocks[b], places, part);
         const std::size_t size = static_cast<std::size_t>(quantity.size);
-        for (std::size_t i = 0; i < elements_.size(); ++i)
-          if (elements_[i].block == b)
-            values[i].insert(values[i].end(), &whole[size * elements_[i].place],
-                             &whole[size * elements_[i].place] + size);
+        for (std::size_t k = 0; k < which.size(); ++k)
+          values[which[k]].insert(values[which[k]].end(), &part[size * k], &part[size * k] + size);
       }
     }
     for (std::size_t i = 0; i < elements_.size(); ++i)

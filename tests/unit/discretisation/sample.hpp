@@ -138,7 +138,7 @@ struct Body {
   }
   std::vector<double> field(std::string_view name, std::size_t size) const {
     std::vector<double> out(block->element_ids().size() * size);
-    block->evaluate(name, position, state, out);
+    block->evaluate(name, position, state, {}, out);
     return out;
   }
   Point force_at(Index node) const {

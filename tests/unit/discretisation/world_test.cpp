@@ -73,6 +73,35 @@ TEST(World, PartsThatShareNodesPullAtEachOther) {
   base::set_thread_count(1);
 }
 
+/// One wedge on corners of the unit box.
+Sample wedge() {
+  Sample s = box(1, 1, 1, elastic(), 2.0);
+  auto& solids = s.solids();
+  const auto n = solids.node;
+  solids = {
+      .shape = model::Shape::penta6, .id = {9}, .part = {0}, .node = {n[0], n[1], n[3], n[4], n[5], n[7]}};
+  return s;
+}
+
+// Wedges become ELFORM 15 in a part of hexahedra, and with *CONTROL_SOLID ESORT in a part of tetrahedra too.
+TEST(World, ElementSortMakesWedgesOfTheirOwn) {
+  for (const auto& [form, sort, accepted] :
+       {std::tuple(1, 0, true), std::tuple(2, 0, true), std::tuple(10, 0, false), std::tuple(10, 1, true),
+        std::tuple(13, 1, true), std::tuple(16, 0, false)}) {
+    Sample s = wedge();
+    s.model.parts[0].section.form = form;
+    s.model.control.solid_sort = sort;
+    deck::Diagnostics diagnostics;
+    const World world = build(s.model, diagnostics);
+    EXPECT_EQ(!diagnostics.failed(), accepted) << form << ' ' << sort;
+    if (!accepted) continue;
+    ASSERT_EQ(world.blocks.size(), 1u);
+    EXPECT_EQ(world.blocks[0]->formulation(), "penta6");
+    State state;
+    EXPECT_TRUE(initialise(world, state).ok);
+  }
+}
+
 TEST(World, ASectionNobodyHonoursIsAnErrorThatNamesThePart) {
   Sample s = two_parts();
   s.model.parts[1].section.form = 99;

@@ -40,7 +40,8 @@ class TwoCubes final : public discretisation::Block {
     if (!plastic_) return {};
     return {{"effective_plastic_strain", 1}};
   }
-  void evaluate(std::string_view, const Positions&, const BlockState&, std::span<double> out) const override {
+  void evaluate(std::string_view, const Positions&, const BlockState&, std::span<const std::size_t>,
+                std::span<double> out) const override {
     out[0] = 0.5;
     out[1] = 1.5;
   }

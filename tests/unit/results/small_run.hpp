@@ -51,9 +51,10 @@ class KnownBlock final : public discretisation::Block {
     return {{"stress", 6}, {"effective_plastic_strain", 1}, {"back_stress", 6}};
   }
   void evaluate(std::string_view field, const base::Array<double>&, const discretisation::BlockState& state,
-                std::span<double> out) const override {
-    for (std::size_t e = 0; e < ids_.size(); ++e) {
-      const double scale = static_cast<double>(ids_[e]) * state.element[0];
+                std::span<const std::size_t> elements, std::span<double> out) const override {
+    const std::size_t count = elements.empty() ? ids_.size() : elements.size();
+    for (std::size_t e = 0; e < count; ++e) {
+      const double scale = static_cast<double>(ids_[elements.empty() ? e : elements[e]]) * state.element[0];
       if (field == "effective_plastic_strain") {
         out[e] = 0.001 * scale;
         continue;

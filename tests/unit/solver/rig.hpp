@@ -98,7 +98,7 @@ class Springs final : public discretisation::Block {
       steps[e] = state.alive[e] == 0.0 ? 1.0e30 : stable_step(springs_[e]);
   }
   std::vector<discretisation::ElementField> fields() const override { return {}; }
-  void evaluate(std::string_view, const base::Array<double>&, const BlockState&,
+  void evaluate(std::string_view, const base::Array<double>&, const BlockState&, std::span<const std::size_t>,
                 std::span<double>) const override {}
   void alive(const BlockState& state, std::span<bool> out) const override {
     for (std::size_t e = 0; e < out.size(); ++e) out[e] = state.alive[e] != 0.0;
