@@ -30,12 +30,13 @@ void take_wall(Draft& draft, const Entry& entry) {
   if (wall.nodes.empty()) draft.warning(entry, "NSID", "no node can meet this wall");
 
   wall.friction = entry.real("FRIC", pure);
-  if (wall.friction < 0.0 || wall.friction > 1.0) {
-    draft.refuse(entry, "FRIC", "nodes that weld to the wall (FRIC 2 and 3)",
-                 "use a friction coefficient of 0 to 1");
-    wall.friction = 1.0;
-  }
-  wall.velocity_limit = 0.0;
+  const bool welds = wall.friction == 2.0 || wall.friction == 3.0;
+  if (!welds && (wall.friction < 0.0 || wall.friction > 1.0))
+    draft.error(entry, "FRIC", "found " + std::to_string(wall.friction) + ", expected 0 to 1, or 2 or 3",
+                "2 welds nodes that hit and lets them slide, 3 holds them");
+  wall.velocity_limit = entry.real("WVEL", a_velocity);
+  if (wall.velocity_limit != 0.0 && !welds)
+    draft.warning(entry, "WVEL", "used with FRIC 2 and 3 only: nodes that hit faster are welded");
   wall.birth = entry.real("BIRTH", a_time);
   wall.death = entry.real("DEATH", a_time);
   if (wall.death == 0.0 || entry.card().real("DEATH") >= 1e20) wall.death = forever;
@@ -63,9 +64,10 @@ void take_wall(Draft& draft, const Entry& entry) {
 }
 
 constexpr std::string_view fields =
-    "ID TITLE NSID NSIDEX BOXID OFFSET BIRTH DEATH XT YT ZT XH YH ZH FRIC XHEV YHEV ZHEV LENL LENM MASS V0 "
+    "ID TITLE NSID NSIDEX BOXID OFFSET BIRTH DEATH XT YT ZT XH YH ZH FRIC WVEL XHEV YHEV ZHEV LENL LENM MASS "
+    "V0 "
     "SOFT";
-constexpr std::string_view unused = "RWKSF WVEL SSID N1 N2 N3 N4";
+constexpr std::string_view unused = "RWKSF SSID N1 N2 N3 N4";
 constexpr Handler handlers[] = {
     {"RIGIDWALL_PLANAR", Phase::action, fields, unused, take_wall},
     {"RIGIDWALL_PLANAR_FINITE", Phase::action, fields, unused, take_wall},

@@ -114,7 +114,7 @@ class ActionWriter {
     const auto* set = all ? nullptr : set_of(model_.node_sets, w.nodes);
     const Vector head = w.origin + w.normal, edge = w.origin + w.edge_l;
     out_.line({set ? set->id : 0, 0, 0, 0.0, w.birth, w.death});
-    out_.line({w.origin.x, w.origin.y, w.origin.z, head.x, head.y, head.z, w.friction});
+    out_.line({w.origin.x, w.origin.y, w.origin.z, head.x, head.y, head.z, w.friction, w.velocity_limit});
     if (w.finite) out_.line({edge.x, edge.y, edge.z, w.length_l, w.length_m});
     if (w.mass > 0.0) out_.line({w.mass, w.speed});
     if (w.soft_cycles > 0) out_.line({w.soft_cycles, 0});

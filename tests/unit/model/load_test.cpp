@@ -100,7 +100,11 @@ TEST(Wall, FiniteMovingWithForces) {
   EXPECT_EQ(w.speed, -2.0);
   EXPECT_EQ(w.soft_cycles, 5);
   EXPECT_TRUE(build_text(cube + "*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,0,0,0,1\n\n\n").failed());
-  EXPECT_TRUE(build_text(cube + "*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1,2\n").failed());  // welding
+  EXPECT_TRUE(build_text(cube + "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0,1.5\n").failed());
+  const Built welding = build_text(cube + "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0,3,2.5\n");
+  ASSERT_FALSE(welding.failed()) << welding.text();
+  EXPECT_EQ(welding.model.walls[0].friction, 3.0);
+  EXPECT_EQ(welding.model.walls[0].velocity_limit, 2.5);
 }
 
 TEST(Velocity, LaterCardsReplaceAndNodesGoLast) {

@@ -51,6 +51,7 @@ TEST(Write, ActionsOfEveryKind) {
       "*LOAD_SEGMENT_SET\n9,7,-2,0.25\n*LOAD_SEGMENT\n8,1,0,1,2,3,4\n8,1,0,1,2,6,5\n"
       "*LOAD_BODY_Z\n7,9810\n*LOAD_BODY_RY\n8,3,0,1,2,3\n*LOAD_BODY_VECTOR\n7,1\n1,1,0\n*LOAD_BODY_PARTS\n3\n"
       "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0,0.3\n"
+      "*RIGIDWALL_PLANAR\n0\n0,0,-2,0,0,0,2,12.5\n"
       "*RIGIDWALL_PLANAR_FINITE_MOVING_FORCES_ID\n        31plate\n5,0,0,0,0.1,0.9\n"
       "0.3,0.1,-3.7,1.3,0.1,-3.6,0.5\n1.3,2.1,-3.7,10,20\n0.5,-12\n3\n"
       "*CONSTRAINED_GLOBAL\n3,0,3,0,0,0\n*CONSTRAINED_LOCAL\n1,0,1,0,0,0,21,10\n"
