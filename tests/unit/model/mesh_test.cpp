@@ -126,7 +126,8 @@ TEST(Solids, MistakesHaveTheirPlace) {
   EXPECT_TRUE(build_text(cube + "*ELEMENT_SOLID\n2,1,1,2,3,4,5,6,1,8\n")
                   .says(Severity::error, after_cube + 1, "make no solid"));
   const Built turned = build_text(cube + "*ELEMENT_SOLID\n2,1,4,3,2,1,8,7,6,5\n");
-  EXPECT_TRUE(turned.says(Severity::error, after_cube + 1, "element 2 has volume 0 or less")) << turned.text();
+  EXPECT_TRUE(turned.says(Severity::error, after_cube + 1, "element 2 has volume 0 or less"))
+      << turned.text();
 }
 
 TEST(Solids, OneAndTwoLineFormsMix) {
