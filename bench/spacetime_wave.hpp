@@ -2,7 +2,9 @@
 /// What the benchmarks of the spacetime method have in common: triangles over the unit square, the standing P
 /// wave between rollers that the spectral-element reference solves too, and a front that carries it.
 
+#include <atomic>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -58,9 +60,71 @@ inline SpaceMeshInput<2> squares(int n) {
   return in;
 }
 
+/// Halves triangles at their newest vertex until those that touch the square [low, high]^2 have legs of
+/// h / 2^levels; the mesh stays conforming. Material 1 gets what is smaller than h / 2.
+inline SpaceMeshInput<2> refined(int n, double low, double high, int levels) {
+  SpaceMeshInput<2> in = squares(n);
+  for (auto& t : in.simplex) {  // newest vertex first: the one opposite the diagonal
+    const auto length = [&](int i) {
+      return distance(in.vertex[static_cast<std::size_t>(t[static_cast<std::size_t>((i + 1) % 3)])],
+                      in.vertex[static_cast<std::size_t>(t[static_cast<std::size_t>((i + 2) % 3)])]);
+    };
+    int i = 0;
+    while (length(i) < 1.2 / n) ++i;
+    t = {t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>((i + 1) % 3)],
+         t[static_cast<std::size_t>((i + 2) % 3)]};
+  }
+  std::map<std::pair<Vertex, Vertex>, std::size_t> left;  // triangle on the left of a directed edge
+  std::vector<int> level(in.simplex.size(), 0);
+  const auto enter = [&](std::size_t k) {
+    for (std::size_t i = 0; i < 3; ++i) left[{in.simplex[k][i], in.simplex[k][(i + 1) % 3]}] = k;
+  };
+  for (std::size_t k = 0; k < in.simplex.size(); ++k) enter(k);
+  const auto halve = [&](auto&& self, std::size_t k) -> void {
+    const Vertex a = in.simplex[k][1], b = in.simplex[k][2];
+    auto across = left.find({b, a});
+    if (across != left.end() && in.simplex[across->second][1] != b) {
+      self(self, across->second);
+      across = left.find({b, a});
+    }
+    const auto mid = static_cast<Vertex>(in.vertex.size());
+    const auto &x = in.vertex[static_cast<std::size_t>(a)], &y = in.vertex[static_cast<std::size_t>(b)];
+    in.vertex.push_back({0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1])});
+    const auto split = [&](std::size_t t) {
+      const auto [top, from, to] = in.simplex[t];
+      left.erase({from, to});
+      in.simplex[t] = {mid, top, from};
+      in.simplex.push_back({mid, to, top});
+      level.push_back(++level[t]);
+      enter(t), enter(in.simplex.size() - 1);
+    };
+    const std::size_t other = across == left.end() ? k : across->second;
+    split(k);
+    if (other != k) split(other);
+  };
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t k = 0; k < in.simplex.size(); ++k) {
+      double least[2] = {1.0, 1.0}, most[2] = {0.0, 0.0};
+      for (const Vertex v : in.simplex[k])
+        for (std::size_t i = 0; i < 2; ++i) {
+          const double c = in.vertex[static_cast<std::size_t>(v)][i];
+          least[i] = std::min(least[i], c), most[i] = std::max(most[i], c);
+        }
+      if (level[k] >= 2 * levels || least[0] > high || least[1] > high || most[0] < low || most[1] < low)
+        continue;
+      halve(halve, k);
+      again = true;
+    }
+  }
+  in.material.clear();
+  for (const int l : level) in.material.push_back(l > 2 ? 1 : 0);
+  return in;
+}
+
 struct Outcome {
   bool ok = false;
-  std::int64_t patches = 0;
+  std::int64_t patches = 0, elements = 0;
   double cpu = 0.0, wall = 0.0;          ///< of the advance [s]
   double displacement = 0.0;             ///< L2 error at the end over the L2 norm of the initial amplitude
   double energy = 0.0;                   ///< energy norm of the error over that of the solution
@@ -92,12 +156,14 @@ class Runner {
     Front<2> front = pitcher.level_front(0.0);
     under_.assign(static_cast<std::size_t>(mesh_.simplex_count()), {});
     Outcome out;
+    elements_ = 0;
     const double cpu = cpu_seconds(), wall = wall_seconds();
     const FrontStatus status = Scheduler<2>(pitcher).advance(
         front, end, [&](const Patch<2>& patch) { return solve ? one(patch, verify, out) : Verdict{}; },
         record);
     out.cpu = cpu_seconds() - cpu, out.wall = wall_seconds() - wall;
     out.ok = status.ok;
+    out.elements = elements_;
     out.patches = status.patches;
     return out;
   }
@@ -182,6 +248,7 @@ class Runner {
   Problem<2> problem_;
   TargetPtr<2> roller_;
   std::vector<Solution<2>> under_;
+  std::atomic<std::int64_t> elements_{0};
   std::mutex guard_;
   std::vector<std::unique_ptr<Worker>> idle_;
 };
