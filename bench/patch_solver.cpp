@@ -67,7 +67,9 @@ int main(int words, char** word) {
   using cleave::bench::cpu_seconds;
   const double peak = cleave::bench::fma_peak();
   std::printf("FMA peak of one thread %.1f Gflop/s\n", peak * 1e-9);
-  std::printf("space        degree  unknowns  us/patch  Munknowns/s  LU Gflop/s over whole patch  of peak\n");
+  std::printf(
+      "space        degree  unknowns  us/patch  Munknowns/s  elimination: Mflop  flop/B scratch  Gflop/s of "
+      "whole patch  of peak\n");
   const char* names[] = {"one field", "three fields", "Trefftz"};
   const Patch<2> patch = hexagon(0.6);
   for (const LocalSpace space : {LocalSpace::three_field, LocalSpace::one_field, LocalSpace::trefftz})
@@ -97,8 +99,10 @@ int main(int words, char** word) {
         } while (now - start < 0.04);
         best = std::min(best, (now - start) / count);
       }
-      std::printf("%-12s %4d %10d %10.1f %10.2f %16.2f %22.1f %%\n", names[static_cast<int>(space)],
-                  problem.spaces[0].degree, solver.unknowns(), best * 1e6, solver.unknowns() / best * 1e-6,
+      std::printf("%-12s %4d %10d %10.1f %10.2f %16.2f %14.1f %16.2f %14.1f %%\n",
+                  names[static_cast<int>(space)], problem.spaces[0].degree, solver.unknowns(), best * 1e6,
+                  solver.unknowns() / best * 1e-6, solver.flops() * 1e-6,
+                  solver.flops() / (8.0 * static_cast<double>(solver.scratch())),
                   solver.flops() / best * 1e-9, 100.0 * solver.flops() / best / peak);
     }
 }

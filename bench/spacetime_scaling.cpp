@@ -1,5 +1,6 @@
 // Time per patch as the front grows, with and without the patch solver, on one thread and on two.
-// bench_spacetime_scaling [DEGREE [LARGEST]]: P of the Trefftz space, and the largest number of patches.
+// bench_spacetime_scaling [DEGREE [LARGEST [THREADS]]]: P of the Trefftz space, the largest number of
+// patches; one number of threads instead of one and two.
 #include <cstdio>
 #include <cstdlib>
 
@@ -11,7 +12,8 @@ int main(int words, char** word) {
   const double largest = words > 2 ? std::atof(word[2]) : 1e6;
   std::printf("solver threads n patches us_per_patch us_per_element wall_us_per_patch\n");
   for (const bool solve : {false, true})
-    for (const int threads : {1, 2})
+    for (const int threads : {1, 2}) {
+      if (words > 3 && threads != std::atoi(word[3])) continue;
       for (double patches = 1e4; patches <= largest * 1.01; patches *= 10.0) {
         // About twenty tents on each vertex. Small bodies have more patches on their boundary, with fewer
         // elements.
@@ -28,4 +30,5 @@ int main(int words, char** word) {
                     1e6 * out.cpu / static_cast<double>(out.elements), out.wall * scale);
         std::fflush(stdout);
       }
+    }
 }

@@ -159,7 +159,11 @@ class Runner {
     elements_ = 0;
     const double cpu = cpu_seconds(), wall = wall_seconds();
     const FrontStatus status = Scheduler<2>(pitcher).advance(
-        front, end, [&](const Patch<2>& patch) { return solve ? one(patch, verify, out) : Verdict{}; },
+        front, end,
+        [&](const Patch<2>& patch) {
+          elements_.fetch_add(static_cast<std::int64_t>(patch.elements.size()), std::memory_order_relaxed);
+          return solve ? one(patch, verify, out) : Verdict{};
+        },
         record);
     out.cpu = cpu_seconds() - cpu, out.wall = wall_seconds() - wall;
     out.ok = status.ok;

@@ -88,20 +88,27 @@ auto PatchSolver<D>::functional(const Side& s, std::span<const Combination> c, i
     f.combination = scaled<NU>(c[0], s.scale);
     return f;
   }
-  f.full = take(arena_, rows * count, space.unknowns);
+  f.full = s.trace.data ? take_raw(arena_, rows * count, space.unknowns)
+                        : take(arena_, rows * count, space.unknowns);
   for (int r = 0; r < rows; ++r)
     for (int m = 0; m < count; ++m) {
       const auto& row = c[c.size() == 1 ? 0 : static_cast<std::size_t>(m)][static_cast<std::size_t>(r)];
       double* to = f.full.row(r * count + m);
-      for (int a = 0; a < NU; ++a) {
-        const double factor = s.scale * row[static_cast<std::size_t>(a)];
-        if (factor == 0.0) continue;
-        if (s.trace.data)
-          axpy(f.full.stride, factor, s.trace.row(a * s.count + m), to);
-        else
-          for (int k = 0; k < space.polynomials; ++k)
-            to[a * space.polynomials + k] += factor * s.modes.row(k)[m];
+      if (s.trace.data) {
+        const double* from = s.trace.row(m);
+        const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(s.count) * s.trace.stride;
+        for (int k = 0; k < f.full.stride; k += lane_count) {
+          Lanes sum(0.0);
+          for (int a = 0; a < NU; ++a)
+            sum =
+                fma(Lanes(s.scale * row[static_cast<std::size_t>(a)]), Lanes::load(from + a * next + k), sum);
+          sum.store(to + k);
+        }
+        continue;
       }
+      for (int a = 0; a < NU; ++a)
+        for (int k = 0; k < space.polynomials; ++k)
+          to[a * space.polynomials + k] += s.scale * row[static_cast<std::size_t>(a)] * s.modes.row(k)[m];
     }
   return f;
 }
