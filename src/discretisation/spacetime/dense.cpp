@@ -147,12 +147,14 @@ bool factor_lane(const Block& a, int first, int last, int* pivot) {
     const double inverse = 1.0 / a.row(j)[j];
     Lanes upper = Lanes::load(a.row(j) + first);
     for (int k = first; k <= j; ++k) upper.set(k - first, 0.0);
+    // The multiplier is blended in: a scalar store would stall the next load of the whole lane.
+    base::Mask here{};
+    here.v[j - first] = -1;
     best = j + 1, largest = -1.0;
     for (int i = j + 1; i < n; ++i) {
       double* row = a.row(i);
       const double s = row[j] * inverse;
-      fma(Lanes(-s), upper, Lanes::load(row + first)).store(row + first);
-      row[j] = s;
+      select(here, Lanes(s), fma(Lanes(-s), upper, Lanes::load(row + first))).store(row + first);
       if (j + 1 < last)
         if (const double x = std::fabs(row[j + 1]); x > largest) largest = x, best = i;
     }

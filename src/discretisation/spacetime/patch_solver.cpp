@@ -65,6 +65,7 @@ PatchStatus PatchSolver<D>::solve(const Patch<D>& patch, std::span<const Solutio
     }
     own_.resize(elements_.size()), rhs_.resize(elements_.size());
     term_.resize(elements_.size()), links_of_.resize(elements_.size());
+    own_filled_.assign(elements_.size(), 0);
     link_count_ = 0;
     for (int e = 0; e < count_; ++e) {
       const auto i = static_cast<std::size_t>(e);

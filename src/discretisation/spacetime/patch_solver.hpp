@@ -169,6 +169,7 @@ class PatchSolver {
     Block table;
   };
   std::vector<Block> own_;               ///< [element] K, later factored
+  std::vector<char> own_filled_;         ///< [element] with more than the terms
   std::vector<double*> rhs_;             ///< [element] [unknowns], padded
   std::vector<std::vector<Term>> term_;  ///< [element]
   std::vector<Link> links_;

@@ -43,35 +43,40 @@ double product_flops(double rows, double columns, double depth) {
 
 }  // namespace
 
-/// K of a three-field element: components times constant tables. A row is written in pieces of one component;
-/// the whole lanes of a piece reach into the next, where they add nothing.
+/// K of a three-field element: components times constant tables. A row is written in pieces of one component,
+/// in their order: the whole lanes of a piece reach into the next, which is written after it.
 template <int D>
 void PatchSolver<D>::sum_tables(int e) {
   const auto& terms = term_[static_cast<std::size_t>(e)];
   if (terms.empty()) return;
   const int n = elements_[static_cast<std::size_t>(e)].polynomials;
   const Block& k = own_[static_cast<std::size_t>(e)];
-  Lanes tail(0.0);
-  for (int j = 0; j < (n + lane_count - 1) % lane_count + 1; ++j) tail.set(j, 1.0);
-  for (int a = 0; a < NU; ++a)
-    for (int b = 0; b < NU; ++b) {
-      const Matrix<NU>* factor[4 * (D + 2)];
-      const Block* table[4 * (D + 2)];
-      int used = 0;
+  // Terms of nonlinear targets are there already.
+  Block others;
+  if (own_filled_[static_cast<std::size_t>(e)]) {
+    others = take_raw(arena_, k.rows, k.columns);
+    copy(k, 0, 0, k.rows, k.stride, others, 0, 0);
+  }
+  for (int a = 0; a < NU; ++a) {
+    double factor[NU][4 * (D + 2)];
+    const Block* table[NU][4 * (D + 2)];
+    int used[NU] = {};
+    for (int b = 0; b < NU; ++b)
       for (const Term& t : terms)
-        if (t.factor[a][b] != 0.0) factor[used] = &t.factor, table[used++] = &t.table;
-      if (used == 0) continue;
-      for (int i = 0; i < n; ++i) {
+        if (t.factor[a][b] != 0.0) factor[b][used[b]] = t.factor[a][b], table[b][used[b]++] = &t.table;
+    for (int i = 0; i < n; ++i)
+      for (int b = 0; b < NU; ++b) {
         double* to = k.row(a * n + i) + b * n;
         for (int j = 0; j < n; j += lane_count) {
           Lanes sum(0.0);
-          for (int t = 0; t < used; ++t)
-            sum = fma(Lanes((*factor[t])[a][b]), Lanes::load(table[t]->row(i) + j), sum);
-          if (j + lane_count > n) sum = sum * tail;
-          store_any(load_any(to + j) + sum, to + j);
+          for (int t = 0; t < used[b]; ++t)
+            sum = fma(Lanes(factor[b][t]), Lanes::load(table[b][t]->row(i) + j), sum);
+          store_any(sum, to + j);
         }
       }
-    }
+  }
+  if (!others.data) return;
+  for (int i = 0; i < k.rows; ++i) axpy(k.stride, 1.0, others.row(i), k.row(i));
 }
 
 /// What a functional gives for every column of b.

@@ -118,6 +118,7 @@ void PatchSolver<D>::add(const Side& s, const Functional& a, const Functional& b
   const auto e = static_cast<std::size_t>(s.element);
   if (a.full.data) {
     multiply_transposed_add(scale, a.full, b.full, own_[e]);
+    own_filled_[e] = 1;
     return;
   }
   Block mass;
