@@ -1,5 +1,6 @@
 // Error against cost of the three local spaces on the standing P wave; a line of figures for each run.
 // bench_spacetime_efficiency [END [SECONDS]]: time of the wave, and the longest run worth waiting for.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -19,6 +20,8 @@ int main(int words, char** word) {
         Outcome check;
         if (n <= 4) check = runner.run(end, true, nullptr, true);  // identities, and tables made once
         Outcome out = runner.run(end);
+        for (int again = 0; again < (out.cpu < 0.5 ? 4 : 1); ++again)
+          out.cpu = std::min(out.cpu, runner.run(end).cpu);
         if (!out.ok) return 1;
         runner.measure(end, out);
         before = out.cpu;
