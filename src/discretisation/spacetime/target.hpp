@@ -49,7 +49,9 @@ class Target {
  public:
   virtual ~Target() = default;
 
-  /// The star values as affine functions of the traces.
+  /// The star values as affine functions of the traces. They must agree with the characteristic that leaves
+  /// each side, s* - Z v* = s - Z v with the side's outward normal, in map and load alike: the patch solver
+  /// relies on it and reads the velocities of the star state alone (characteristic_velocities() sees to it).
   /// @param at   the quadrature points
   /// @param now  traces at the points in the iterate before; zeros in the first. Linear targets ignore them
   /// @param map  a linear target fills one; a nonlinear one fills one per point, its linearisation at `now`
