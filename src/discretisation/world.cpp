@@ -39,6 +39,12 @@ const FormulationEntry* formulation_of(const model::Model& model, const model::S
 World build(const model::Model& model, deck::Diagnostics& diagnostics) {
   World world;
   world.model = &model;
+  for (const model::Part& part : model.parts)
+    if (spacetime_dimension(part.section) != 0)
+      diagnostics.error(part.place, "PART", "SECID",
+                        "part " + std::to_string(part.id) + " has *SECTION_" + part.section.family +
+                            ", which explicit dynamics does not compute",
+                        "a deck is solved in spacetime as a whole or not at all");
   // Parts in the order of the model, shapes in the order of the mesh: one pass over the elements per shape.
   std::vector<std::deque<PartElements>> by_part(model.parts.size());
   for (const auto& solids : model.mesh.solids) {

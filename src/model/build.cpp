@@ -14,11 +14,17 @@ namespace cleave::model {
 
 void finish_nodes(Draft& draft);
 void finish_solids(Draft& draft);
+void finish_shells(Draft& draft);
 void finish_parts(Draft& draft);
 void finish_velocities(Draft& draft);
 void finish_sets(Draft& draft);
 
 namespace {
+
+void finish_elements(Draft& draft) {
+  finish_solids(draft);
+  finish_shells(draft);
+}
 
 /// A block without a handler: noted, refused, or unknown to the card table.
 void take_unhandled(Draft& draft, const deck::Block& block) {
@@ -108,11 +114,11 @@ Model build(const deck::Deck& deck, const BuildOptions& options, deck::Diagnosti
   // Later phases refer to earlier ones, never the other way, whatever the order in the deck.
   using Finish = void (*)(Draft&);
   constexpr std::pair<Phase, Finish> phases[] = {
-      {Phase::transformation, nullptr}, {Phase::curve, nullptr},
-      {Phase::definition, nullptr},     {Phase::node, finish_nodes},
-      {Phase::frame, nullptr},          {Phase::vector, nullptr},
-      {Phase::material, nullptr},       {Phase::part, nullptr},
-      {Phase::element, finish_solids},  {Phase::set, nullptr},
+      {Phase::transformation, nullptr},  {Phase::curve, nullptr},
+      {Phase::definition, nullptr},      {Phase::node, finish_nodes},
+      {Phase::frame, nullptr},           {Phase::vector, nullptr},
+      {Phase::material, nullptr},        {Phase::part, nullptr},
+      {Phase::element, finish_elements}, {Phase::set, nullptr},
       {Phase::action, nullptr},
   };
   for (const auto& [phase, finish] : phases) {

@@ -43,6 +43,9 @@ void check_elements(const Model& model, const deck::Deck& deck, deck::Diagnostic
         bad.push_back(group.id[e]);
     }
   }
+  for (const auto* groups : {&model.mesh.shells, &model.mesh.beams})
+    for (const Elements& group : *groups)
+      for (const Index part : group.part) ++count[part];
   // Each at its line; of very many the first ones tell what is wrong.
   constexpr std::size_t most = 100;
   const std::size_t count_bad = bad.size();
@@ -60,8 +63,9 @@ void check_elements(const Model& model, const deck::Deck& deck, deck::Diagnostic
 
 void check_nodes(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
   std::vector<char> massive(model.mesh.nodes.count(), 0);
-  for (const Elements& group : model.mesh.solids)
-    for (const Index i : group.node) massive[i] = 1;
+  for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
+    for (const Elements& group : *groups)
+      for (const Index i : group.node) massive[i] = 1;
   std::vector<Id> alone;
   for (std::size_t i = 0; i < massive.size(); ++i)
     if (!massive[i]) alone.push_back(model.mesh.nodes.id[i]);

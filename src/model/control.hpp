@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "deck/diagnostic.hpp"
 #include "model/mesh.hpp"
 
 namespace cleave::model {
@@ -72,6 +73,7 @@ struct SpacetimeControl {
   int threads = 0;             ///< 0: as the command line says
   bool verify = false;         ///< hold every patch to its identities
   int subdivision = 0;         ///< of cells in field files; 0: by degree
+  deck::Place place;           ///< of the card; not compared
 };
 
 struct Control {

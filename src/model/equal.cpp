@@ -4,6 +4,7 @@
 #include <cmath>
 #include <typeinfo>
 
+#include "model/elasticity.hpp"
 #include "model/material/law.hpp"
 
 namespace cleave::model {
@@ -77,6 +78,16 @@ bool same(const Section& a, const Section& b) {
 bool same(const MaterialCard& a, const MaterialCard& b) {
   return a.id == b.id && a.keyword == b.keyword && a.title == b.title && same(a.values, b.values);
 }
+bool same(const Elasticity& a, const Elasticity& b) {
+  return a.isotropic == b.isotropic && a.young == b.young && a.poisson == b.poisson &&
+         same(a.modulus, b.modulus) && a.poisson_ba == b.poisson_ba && a.poisson_ca == b.poisson_ca &&
+         a.poisson_cb == b.poisson_cb && a.shear_ab == b.shear_ab && a.shear_bc == b.shear_bc &&
+         a.shear_ca == b.shear_ca && a.axes == b.axes && same(a.frame, b.frame) &&
+         same(a.reference, b.reference) && a.angle == b.angle;
+}
+bool same_elastic(const Elasticity* a, const Elasticity* b) {
+  return a && b ? same(*a, *b) : a == b;
+}
 bool same_law(const Law* a, const Law* b) {
   if (!a || !b) return a == b;
   return typeid(*a) == typeid(*b) && a->state_size() == b->state_size() &&
@@ -85,9 +96,10 @@ bool same_law(const Law* a, const Law* b) {
 bool same(const Part& a, const Part& b) {
   return a.id == b.id && a.title == b.title && same(a.section, b.section) && a.material_id == b.material_id &&
          a.state_id == b.state_id && a.material_keyword == b.material_keyword &&
-         same_law(a.law.get(), b.law.get()) && a.density == b.density && same(a.hourglass, b.hourglass) &&
-         a.mass_damping == b.mass_damping && a.mass_damping_curve == b.mass_damping_curve &&
-         same(a.mass_damping_factor, b.mass_damping_factor) && a.stiffness_damping == b.stiffness_damping;
+         same_law(a.law.get(), b.law.get()) && same_elastic(a.elastic.get(), b.elastic.get()) &&
+         a.density == b.density && same(a.hourglass, b.hourglass) && a.mass_damping == b.mass_damping &&
+         a.mass_damping_curve == b.mass_damping_curve && same(a.mass_damping_factor, b.mass_damping_factor) &&
+         a.stiffness_damping == b.stiffness_damping;
 }
 bool same(const FixedNodes& a, const FixedNodes& b) {
   return a.id == b.id && a.title == b.title && same(a.nodes, b.nodes) && a.directions == b.directions &&
@@ -120,6 +132,9 @@ bool same(const RigidWall& a, const RigidWall& b) {
 bool same(const AbsorbingFaces& a, const AbsorbingFaces& b) {
   return same(a.segments, b.segments) && a.dilatational == b.dilatational && a.shear == b.shear;
 }
+bool same(const Precrack& a, const Precrack& b) {
+  return a.part == b.part && same(a.points, b.points);
+}
 bool same(const PointMass& a, const PointMass& b) {
   return a.id == b.id && a.node == b.node && a.mass == b.mass;
 }
@@ -140,6 +155,12 @@ bool same(const Termination& a, const Termination& b) {
   return a.time == b.time && a.cycles == b.cycles && a.step_fraction == b.step_fraction &&
          a.energy_change == b.energy_change && a.mass_change == b.mass_change &&
          a.no_solution_check == b.no_solution_check && same(a.nodes, b.nodes);
+}
+bool same(const SpacetimeControl& a, const SpacetimeControl& b) {
+  return a.space == b.space && a.degree == b.degree && a.chi == b.chi && a.progress == b.progress &&
+         a.eps == b.eps && a.height_factor == b.height_factor && a.height_cap == b.height_cap &&
+         a.smoothing == b.smoothing && a.threads == b.threads && a.verify == b.verify &&
+         a.subdivision == b.subdivision;
 }
 bool same(const BulkViscosity& a, const BulkViscosity& b) {
   return a.quadratic == b.quadratic && a.linear == b.linear && a.type == b.type;
@@ -168,6 +189,8 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE_LIST(mesh.nodes.id)
   CLEAVE_COMPARE_LIST(mesh.nodes.position)
   CLEAVE_COMPARE_LIST(mesh.solids)
+  CLEAVE_COMPARE_LIST(mesh.shells)
+  CLEAVE_COMPARE_LIST(mesh.beams)
   CLEAVE_COMPARE_LIST(parts)
   CLEAVE_COMPARE_LIST(materials)
   CLEAVE_COMPARE_LIST(curves)
@@ -183,6 +206,7 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE_LIST(body_loads)
   CLEAVE_COMPARE_LIST(walls)
   CLEAVE_COMPARE_LIST(absorbing)
+  CLEAVE_COMPARE_LIST(precracks)
   CLEAVE_COMPARE_LIST(point_masses)
   CLEAVE_COMPARE_LIST(global_damping)
   CLEAVE_COMPARE_LIST(initial_velocity)
@@ -193,6 +217,7 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE(control.hourglass)
   CLEAVE_COMPARE(control.invariant_node_numbering)
   CLEAVE_COMPARE(control.solid_sort)
+  CLEAVE_COMPARE(control.spacetime)
   CLEAVE_COMPARE(requests.title)
   CLEAVE_COMPARE(requests.field)
   CLEAVE_COMPARE(requests.glstat)

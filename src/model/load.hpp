@@ -1,5 +1,6 @@
 #pragma once
-/// What acts on the body: loads, constraints, walls, initial state. All ids are resolved to indices.
+/// What acts on the body: loads, constraints, walls, initial state. All ids are resolved to indices. Places
+/// in the deck serve messages; they are not compared.
 
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct FixedNodes {
   bool local = false;       ///< directions are those of `frame`
   Frame frame;
   double birth = 0.0, death = forever;
+  deck::Place place{};
 };
 
 /// Prescribed translation along one direction (*BOUNDARY_PRESCRIBED_MOTION_NODE/SET).
@@ -42,6 +44,7 @@ struct PrescribedMotion {
   Index curve = -1;
   double scale = 1.0;
   double birth = 0.0, death = forever;
+  deck::Place place{};
 };
 
 /// A force per node along a direction (*LOAD_NODE).
@@ -52,6 +55,7 @@ struct NodeLoad {
   Index follow[3] = {-1, -1, -1};
   Index curve = -1;
   double scale = 1.0;
+  deck::Place place{};
 };
 
 /// Pressure on faces, positive into the body (*LOAD_SEGMENT); uniform or along a vector.
@@ -60,6 +64,7 @@ struct SegmentLoad {
   Index curve = -1;
   double scale = 1.0;
   double arrival = 0.0;  ///< AT
+  deck::Place place{};
 };
 
 /// Acceleration field (*LOAD_BODY): the body feels `-` base acceleration, as the format defines it.
@@ -70,6 +75,7 @@ struct BodyLoad {
   Index curve = -1;
   double scale = 1.0;
   std::vector<bool> nodes;  ///< empty: all nodes; else one flag per node
+  deck::Place place{};
 };
 
 /// *RIGIDWALL_PLANAR with every option; node penetration is stopped kinematically.
@@ -88,6 +94,7 @@ struct RigidWall {
   double speed = 0.0;           ///< initial, along the normal [length/time]
   double birth = 0.0, death = forever;
   int soft_cycles = 0;  ///< _FORCES SOFT: cycles over which the velocity is zeroed
+  deck::Place place{};
 };
 
 /// A traction-free crack that is there from the start, along faces of the mesh (*BOUNDARY_PRECRACK).
@@ -101,18 +108,21 @@ struct Precrack {
 struct AbsorbingFaces {
   std::vector<Segment> segments;
   bool dilatational = true, shear = true;
+  deck::Place place{};
 };
 
 struct PointMass {
   Id id = 0;
   Index node = -1;
   double mass = 0.0;
+  deck::Place place{};
 };
 
 struct GlobalDamping {
   Index curve = -1;    ///< factor over time; -1: constant `value`
   double value = 0.0;  ///< [1/time]
   double factor[3] = {1.0, 1.0, 1.0};
+  deck::Place place{};
 };
 
 }  // namespace cleave::model

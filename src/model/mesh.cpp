@@ -14,6 +14,12 @@ std::string_view name_of(Shape shape) {
       return "tet4";
     case Shape::tet10:
       return "tet10";
+    case Shape::tri3:
+      return "tri3";
+    case Shape::quad4:
+      return "quad4";
+    case Shape::line2:
+      return "line2";
   }
   return "";
 }

@@ -13,6 +13,7 @@
 namespace cleave::model {
 
 class Law;
+struct Elasticity;
 
 /// What *SECTION_* says, format neutral: family ("SOLID", "SOLID_EFG", ...), ELFORM and further numbers by
 /// name.
@@ -26,6 +27,12 @@ struct Section {
 
   double number(std::string_view name, double fallback) const;
 };
+
+/// Space dimensions of a spacetime section: *SECTION_BEAM_SDG 1, _SHELL_SDG 2, _SOLID_SDG 3; 0 of any other.
+int spacetime_dimension(const Section& section);
+/// What a spacetime section measures across its dimensions: area of a bar, thickness of a plate (1 where
+/// blank), 1 in space. [length^(3-D)]
+double spacetime_thickness(const Section& section);
 
 /// A *MAT_, *EOS_ or *MAT_ADD_ card as it was read: the fields that were given, so that it can be written
 /// back.
@@ -46,7 +53,9 @@ struct Part {
   Id material_id = 0, state_id = 0;  ///< MID and EOSID, for printing
   std::string material_keyword;      ///< canonical, e.g. "MAT_PLASTIC_KINEMATIC"
   std::shared_ptr<const Law> law;    ///< with its equation of state and erosion criteria inside
-  double density = 0.0;              ///< reference [mass/length^3]
+  /// Linear elastic constants; of spacetime parts, which have no law if they are not isotropic.
+  std::shared_ptr<const Elasticity> elastic;
+  double density = 0.0;  ///< reference [mass/length^3]
   Hourglass hourglass;
   double mass_damping = 0.0;      ///< *DAMPING_PART_MASS value when constant (curve below) [1/time]
   Index mass_damping_curve = -1;  ///< index into curves, multiplied by mass_damping

@@ -78,6 +78,13 @@ double volume(Shape shape, std::span<const Corner> x) {
     case Shape::tet4:
     case Shape::tet10:
       return triple(x[1] - x[0], x[2] - x[0], x[3] - x[0]) / 6.0;
+    case Shape::tri3:
+    case Shape::quad4: {
+      const Corner area = cross(x[2] - x[0], x[shape == Shape::tri3 ? 2 : 3] - x[1]);
+      return 0.5 * std::sqrt(dot(area, area));
+    }
+    case Shape::line2:
+      return std::sqrt(dot(x[1] - x[0], x[1] - x[0]));
   }
   return 0.0;
 }

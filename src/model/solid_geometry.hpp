@@ -12,6 +12,7 @@ using Corner = base::Vec3<double>;
 
 /// Volume by 2x2x2 Gauss points (hex8, exact for straight edges), 2x3 (penta6), closed form (tetrahedra;
 /// tet10 by its corners). Negative when the element is inside out. [length^3]
+/// Area of tri3 and plane quad4 [length^2], length of line2 [length]; never negative.
 double volume(Shape shape, std::span<const Corner> node);
 
 /// Jacobian determinant at the centre times the parent volume: cheap, equal to the volume of a

@@ -59,6 +59,10 @@ std::span<const std::array<int, 4>> faces_of(Shape shape) {
     case Shape::tet4:
     case Shape::tet10:
       return tet_faces;
+    case Shape::tri3:
+    case Shape::quad4:
+    case Shape::line2:
+      break;  // no solids
   }
   return {};
 }

@@ -39,6 +39,12 @@ Cell cell_of(Shape shape, const Index* node) {
       return {10, 4, same_order};
     case Shape::tet10:
       return {24, 10, same_order};
+    case Shape::tri3:
+      return {5, 3, same_order};
+    case Shape::quad4:
+      return {9, 4, same_order};
+    case Shape::line2:
+      return {3, 2, same_order};
   }
   return {};
 }

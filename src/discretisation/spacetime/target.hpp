@@ -99,6 +99,9 @@ TargetPtr<D> make_antisymmetry();
 /// Component by component in the axes: `fixed[i]` prescribes velocity component i, else traction component i.
 template <int D>
 TargetPtr<D> make_mixed(std::array<bool, D> fixed, VectorField<D> velocity, VectorField<D> traction);
+/// The same along any directions: `fixed` projects on those of prescribed velocity.
+template <int D>
+TargetPtr<D> make_projected(const Matrix<D>& fixed, VectorField<D> velocity, VectorField<D> traction);
 /// Transmitting boundary; `incident` gives the characteristic s + Z v of a wave coming in, with the outward
 /// normal, empty for a quiet exterior [stress]. Exact for normal incidence.
 template <int D>

@@ -35,6 +35,7 @@ void take_plane(Draft& draft, const Entry& entry) {
   draft.refuse_turned(entry, "a plane of constraints");
 
   FixedNodes fixed;
+  fixed.place = entry.place("X");
   const Frame global;
   const Frame* frame = &global;
   Vector point = {entry.real("X", a_length), entry.real("Y", a_length), entry.real("Z", a_length)};
@@ -57,6 +58,7 @@ void take_plane(Draft& draft, const Entry& entry) {
 /// Nodes of a part on a plane may not leave it, nor turn out of it.
 void take_symmetry(Draft& draft, const Entry& entry) {
   FixedNodes fixed;
+  fixed.place = entry.place("X");
   fixed.id = entry.integer("IDSP");
   std::vector<Index> among = draft.all_nodes();
   if (entry.integer("PID") != 0) {

@@ -22,6 +22,7 @@ void take_global(Draft& draft, const Entry& entry) {
   factors(entry, damping.factor);
   if (entry.integer("LCID") == 0 && damping.value == 0.0)
     draft.warning(entry, "VALDMP", "no curve and value 0: nothing is damped");
+  damping.place = entry.place();
   draft.model.global_damping.push_back(damping);
 }
 
@@ -56,7 +57,8 @@ void take_absorbing(Draft& draft, const Entry& entry) {
   // AD and AS other than 0 switch the dilatational and the shear wave off.
   draft.model.absorbing.push_back({.segments = *set,
                                    .dilatational = entry.card().real("AD") == 0.0,
-                                   .shear = entry.card().real("AS") == 0.0});
+                                   .shear = entry.card().real("AS") == 0.0,
+                                   .place = entry.place("SSID")});
 }
 
 constexpr std::string_view mass = "PID PSID LCID SF FLAG STX STY STZ";

@@ -173,12 +173,13 @@ std::vector<Index> Draft::all_nodes() const {
 std::vector<Index> Draft::nodes_of_parts(const std::vector<Index>& parts) const {
   std::vector<char> wanted(model.parts.size(), 0), hit(model.mesh.nodes.count(), 0);
   for (const Index p : parts) wanted[p] = 1;
-  for (const Elements& group : model.mesh.solids) {
-    const int n = nodes_of(group.shape);
-    for (std::size_t e = 0; e < group.count(); ++e)
-      if (group.part[e] >= 0 && wanted[group.part[e]])
-        for (int a = 0; a < n; ++a) hit[group.node[e * n + a]] = 1;
-  }
+  for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
+    for (const Elements& group : *groups) {
+      const int n = nodes_of(group.shape);
+      for (std::size_t e = 0; e < group.count(); ++e)
+        if (group.part[e] >= 0 && wanted[group.part[e]])
+          for (int a = 0; a < n; ++a) hit[group.node[e * n + a]] = 1;
+    }
   std::vector<Index> nodes;
   for (std::size_t i = 0; i < hit.size(); ++i)
     if (hit[i]) nodes.push_back(static_cast<Index>(i));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "deck/layout.hpp"
+#include "model/elasticity.hpp"
 #include "model/keyword/handler.hpp"
 #include "model/keyword/honoured.hpp"
 #include "model/material/eos.hpp"
@@ -72,12 +73,37 @@ class LawBuilder {
     part.material_keyword = entry.keyword();
     if (entry.has("RO")) part.density = entry.card().real("RO");
 
+    if (spacetime_dimension(part.section) != 0 && !linear_elastic(part, part_entry, entry)) return;
     const auto [at, fresh] = laws_.try_emplace({part.material_id, part.state_id});
     if (fresh) at->second = make(part, part_entry, entry);
     part.law = at->second;
   }
 
  private:
+  /// Spacetime parts are linear elastic: sets their constants. False, with a refusal, for any other law.
+  bool linear_elastic(Part& part, const Entry& part_entry, const Entry& entry) {
+    const std::string name = "part " + std::to_string(part.id);
+    if (entry.keyword() != "MAT_ELASTIC") {
+      draft_.diagnostics.error(part_entry.place("MID"), entry.keyword(), "",
+                               "this law is not computed in spacetime, and " + name + " with *SECTION_" +
+                                   part.section.family + " uses it",
+                               "use *MAT_ELASTIC, or another section");
+      return false;
+    }
+    if (draft_.additions.contains(part.material_id)) {
+      draft_.error(draft_.additions.at(part.material_id).front(), "MID",
+                   name + " is solved in spacetime, where elements are not deleted",
+                   "leave the card out, or choose another section");
+      return false;
+    }
+    Elasticity constants;
+    constants.young = entry.card().real("E");
+    constants.poisson = entry.card().real("PR");
+    constants.place = entry.place("E");
+    part.elastic = std::make_shared<Elasticity>(constants);
+    return true;
+  }
+
   std::shared_ptr<const Law> make(const Part& part, const Entry& part_entry, const Entry& entry) {
     const LawEntry* law = find_law(entry.keyword());
     if (!law) {

@@ -15,6 +15,7 @@ bool same(const Vector& a, const Vector& b) {
 void take_node_load(Draft& draft, const Entry& entry) {
   NodeLoad load;
   const bool by_set = entry.keyword() == "LOAD_NODE_SET";
+  load.place = entry.place(by_set ? "NSID" : "NID");
   if (by_set) {
     const auto* set = draft.node_set(entry, "NSID");
     if (!set) return;
@@ -69,6 +70,7 @@ bool pressure_curve(Draft& draft, const Entry& entry, SegmentLoad& load) {
   load.curve = draft.curve(entry, "LCID");
   load.scale = entry.real_or("SF", pure, 1.0);
   load.arrival = entry.real("AT", a_time);
+  load.place = entry.place("LCID");
   return load.curve >= 0;
 }
 
@@ -106,6 +108,7 @@ void take_body(Draft& draft, const Entry& entry) {
   const std::string_view kind =
       std::string_view(entry.keyword()).substr(std::string_view("LOAD_BODY_").size());
   const Frame* frame = draft.frame(entry, "CID");
+  load.place = entry.place("LCID");
   load.curve = draft.curve(entry, "LCID");
   if (!frame || load.curve < 0) return;
   if (kind == "VECTOR") {

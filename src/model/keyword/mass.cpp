@@ -18,7 +18,8 @@ std::size_t take_masses(Draft& draft, const deck::Block& block) {
     const Id node = row.integer(1) + transform.node_offset;
     PointMass mass{.id = row.integer(0) ? row.integer(0) + transform.element_offset : 0,
                    .node = draft.model.mesh.nodes.find(node),
-                   .mass = row.real(2) * unit_factor(transform, a_mass)};
+                   .mass = row.real(2) * unit_factor(transform, a_mass),
+                   .place = row.place(0)};
     if (mass.node < 0) {
       if (missing.take())
         draft.diagnostics.error(row.place(1), block.keyword, "NID",
@@ -39,7 +40,8 @@ void take_node_set(Draft& draft, const Entry& entry) {
   const double mass = entry.real("MASS", a_mass);
   if (mass < 0.0) return draft.error(entry, "MASS", "a mass cannot be negative");
   for (const Index node : *set)
-    draft.model.point_masses.push_back({.id = entry.id(IdKind::element, "EID"), .node = node, .mass = mass});
+    draft.model.point_masses.push_back(
+        {.id = entry.id(IdKind::element, "EID"), .node = node, .mass = mass, .place = entry.place("NSID")});
 }
 
 /// Mass of the elements of some parts, lumped to nodes: [node] [mass].

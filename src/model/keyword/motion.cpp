@@ -17,6 +17,7 @@ void take_motion(Draft& draft, const Entry& entry) {
   motion.id = entry.own_id();
   motion.title = entry.title();
   const bool by_set = entry.keyword() == "BOUNDARY_PRESCRIBED_MOTION_SET";
+  motion.place = entry.place(by_set ? "NSID" : "NID");
   if (by_set) {
     const auto* set = draft.node_set(entry, "NSID");
     if (!set) return;

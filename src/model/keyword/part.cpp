@@ -2,6 +2,7 @@
 
 #include "deck/layout.hpp"
 #include "model/keyword/handler.hpp"
+#include "model/keyword/local_space.hpp"
 
 namespace cleave::model {
 namespace {
@@ -28,6 +29,29 @@ void take_section(Draft& draft, const Entry& entry) {
     draft.refuse(entry, "", "section values inside a file with unit factors",
                  "move the section to a file without factors, in the units of the model");
   draft.sections.emplace(section.id, std::move(section));
+}
+
+/// *SECTION_SHELL_SDG, _SOLID_SDG, _BEAM_SDG: parts solved in spacetime.
+void take_spacetime_section(Draft& draft, const Entry& entry) {
+  take_section(draft, entry);
+  const auto at = draft.sections.find(entry.id(IdKind::other, "SECID"));
+  if (at == draft.sections.end()) return;
+  Section& section = at->second;
+  const int dimension = spacetime_dimension(section);
+  const std::int64_t form = entry.integer("ELFORM");
+  if (dimension == 2) section.form = static_cast<int>(form == 0 ? 13 : form);
+  const bool known = dimension == 1   ? section.form == 1 || section.form == 2
+                     : dimension == 2 ? section.form == 12 || section.form == 13
+                                      : section.form == 1;
+  if (!known)
+    draft.error(entry, "ELFORM", "found " + std::to_string(section.form) + ", which is no spacetime element",
+                dimension == 1   ? "choose 1 (uniaxial stress: a bar) or 2 (uniaxial strain: a plane wave)"
+                : dimension == 2 ? "choose 12 (plane stress) or 13 (plane strain)"
+                                 : "choose 1 (tetrahedra)");
+  check_local_space(draft, entry);
+  if (const std::string_view across = dimension == 1 ? "A" : "T1";
+      dimension < 3 && entry.card().real(across) < 0.0)
+    draft.error(entry, across, "found a negative value, expected one above 0 (blank: 1)");
 }
 
 /// IHQ, QM, Q1 or Q2 blank or 0 take the value of the *CONTROL_ cards, filled in when the part is finished.
@@ -88,6 +112,21 @@ constexpr Handler handlers[] = {
      .honoured = "TITLE SECID ELFORM",
      .harmless = "COHOFF GASKETT AET",
      .take = take_section},
+    {.keyword = "SECTION_BEAM_SDG",
+     .phase = Phase::definition,
+     .honoured = "TITLE SECID ELFORM A SPACE DEGREE",
+     .take = take_spacetime_section,
+     .remark = "bars along x, solved in spacetime"},
+    {.keyword = "SECTION_SHELL_SDG",
+     .phase = Phase::definition,
+     .honoured = "TITLE SECID ELFORM T1 SPACE DEGREE",
+     .take = take_spacetime_section,
+     .remark = "triangles and quadrilaterals in the xy plane, solved in spacetime"},
+    {.keyword = "SECTION_SOLID_SDG",
+     .phase = Phase::definition,
+     .honoured = "TITLE SECID ELFORM SPACE DEGREE",
+     .take = take_spacetime_section,
+     .remark = "tetrahedra, solved in spacetime"},
     {.keyword = "SECTION_*",
      .phase = Phase::definition,
      .honoured = "*",

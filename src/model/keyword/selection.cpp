@@ -230,9 +230,11 @@ std::vector<Segment> select_segments(Draft& draft, const Entry& entry) {
 
 bool read_segment(Draft& draft, const Entry& entry, std::size_t row, Segment& out) {
   static constexpr std::string_view fields[] = {"N1", "N2", "N3", "N4"};
+  // Blank nodes repeat the one before: N4 of a triangle, N3 of an edge in the plane, N2 of the end of a bar.
+  const int needed = !draft.model.mesh.beams.empty() ? 1 : !draft.model.mesh.shells.empty() ? 2 : 3;
   for (int k = 0; k < 4; ++k) {
-    if (k == 3 && entry.integer("N4", row) == 0) {
-      out.node[3] = out.node[2];
+    if (k >= needed && entry.integer(fields[k], row) == 0) {
+      out.node[k] = out.node[k - 1];
       continue;
     }
     out.node[k] = draft.node(entry, fields[k], row);

@@ -15,7 +15,8 @@ std::vector<Segment> select_segments(Draft& draft, const Entry& entry);
 std::vector<Segment> list_segments(Draft& draft, const Entry& entry);
 std::vector<Segment> add_segments(Draft& draft, const Entry& entry);
 
-/// Four node fields to a segment; false with an error if a node is missing.
+/// Four node fields to a segment, blank ones as the format repeats them; false with an error if a node is
+/// missing.
 bool read_segment(Draft& draft, const Entry& entry, std::size_t row, Segment& out);
 
 }  // namespace cleave::model

@@ -18,6 +18,7 @@ void take_spc(Draft& draft, const Entry& entry) {
   fixed.id = entry.own_id();
   fixed.title = entry.title();
   const bool by_set = entry.keyword().starts_with("BOUNDARY_SPC_SET");
+  fixed.place = entry.place(by_set ? "NSID" : "NID");
   if (by_set) {
     const auto* set = draft.node_set(entry, "NSID");
     if (!set) return;

@@ -91,12 +91,13 @@ class ActionWriter {
       if (l.nodes.empty()) continue;
       for (const auto& set : model_.part_sets) {
         std::vector<bool> flags(l.nodes.size(), false);
-        for (const Elements& group : model_.mesh.solids) {
-          const int n = nodes_of(group.shape);
-          for (std::size_t e = 0; e < group.count(); ++e)
-            if (std::find(set.members.begin(), set.members.end(), group.part[e]) != set.members.end())
-              for (int a = 0; a < n; ++a) flags[group.node[e * n + a]] = true;
-        }
+        for (const auto* groups : {&model_.mesh.solids, &model_.mesh.shells, &model_.mesh.beams})
+          for (const Elements& group : *groups) {
+            const int n = nodes_of(group.shape);
+            for (std::size_t e = 0; e < group.count(); ++e)
+              if (std::find(set.members.begin(), set.members.end(), group.part[e]) != set.members.end())
+                for (int a = 0; a < n; ++a) flags[group.node[e * n + a]] = true;
+          }
         if (flags != l.nodes) continue;
         out_.keyword("LOAD_BODY_PARTS");
         return out_.line({set.id, ""});
@@ -160,6 +161,12 @@ class ActionWriter {
         out_.line({node(static_cast<Index>(i / 3)), v[i], v[i + 1], v[i + 2]});
   }
 
+  void precrack(const Precrack& c) {
+    out_.keyword("BOUNDARY_PRECRACK");
+    out_.line({c.part, 1, static_cast<Id>(c.points.size())});
+    for (const Vector& p : c.points) out_.line({p.x, p.y, p.z});
+  }
+
   void absorbing(const AbsorbingFaces& a) {
     const auto* set = set_of(model_.segment_sets, a.segments);
     if (!set) return;
@@ -188,6 +195,7 @@ void write_actions(const Model& model, DeckText& out) {
   write.body_parts();
   for (const auto& w : model.walls) write.wall(w);
   for (const auto& a : model.absorbing) write.absorbing(a);
+  for (const auto& c : model.precracks) write.precrack(c);
   write.damping();
   write.masses();
   write.velocities();

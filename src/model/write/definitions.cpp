@@ -1,5 +1,6 @@
 /// Controls, curves, tables, sections, materials, parts.
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -8,6 +9,20 @@
 
 namespace cleave::model {
 namespace {
+
+/// Nothing where no part is solved in spacetime.
+void write_spacetime(const SpacetimeControl& c, const Model& model, DeckText& out) {
+  if (std::none_of(model.parts.begin(), model.parts.end(),
+                   [](const Part& part) { return spacetime_dimension(part.section) != 0; }))
+    return;
+  using Space = SpacetimeControl::Space;
+  using Progress = SpacetimeControl::Progress;
+  const int space = c.space == Space::one_field ? 1 : c.space == Space::three_field ? 2 : 3;
+  const int progress = c.progress == Progress::triangle ? 1 : c.progress == Progress::subsimplex ? 2 : 3;
+  out.keyword("CONTROL_SPACETIME");
+  out.line({space, c.degree, c.chi, progress, c.eps, c.height_factor, c.height_cap, c.smoothing});
+  out.line({c.threads, c.verify ? 1 : 0, c.subdivision});
+}
 
 void write_control(const Model& model, DeckText& out) {
   const Control& c = model.control;
@@ -28,6 +43,7 @@ void write_control(const Model& model, DeckText& out) {
   out.line({0, c.invariant_node_numbering});
   out.keyword("CONTROL_SOLID");
   out.line({c.solid_sort, 0});
+  write_spacetime(c.spacetime, model, out);
 }
 
 void write_curves(const Model& model, DeckText& out) {

@@ -7,7 +7,9 @@ namespace {
 
 void write_elements(const Model& model, const Elements& group, DeckText& out) {
   if (group.count() == 0) return;
-  out.keyword("ELEMENT_SOLID");
+  out.keyword(group.shape == Shape::line2                                 ? "ELEMENT_BEAM"
+              : group.shape == Shape::tri3 || group.shape == Shape::quad4 ? "ELEMENT_SHELL"
+                                                                          : "ELEMENT_SOLID");
   const int n = nodes_of(group.shape);
   for (std::size_t e = 0; e < group.count(); ++e) {
     const Id part = model.parts[group.part[e]].id;
@@ -26,6 +28,15 @@ void write_elements(const Model& model, const Elements& group, DeckText& out) {
         out.line({group.id[e], part});
         out.line({id(0), id(1), id(2), id(3), id(4), id(5), id(6), id(7), id(8), id(9)});
         break;
+      case Shape::tri3:
+        out.line({group.id[e], part, id(0), id(1), id(2), id(2)});
+        break;
+      case Shape::quad4:
+        out.line({group.id[e], part, id(0), id(1), id(2), id(3)});
+        break;
+      case Shape::line2:
+        out.line({group.id[e], part, id(0), id(1)});
+        break;
     }
   }
 }
@@ -39,7 +50,8 @@ void write_mesh(const Model& model, DeckText& out) {
     const double* p = nodes.position.data() + 3 * i;
     out.line({nodes.id[i], p[0], p[1], p[2]});
   }
-  for (const Elements& group : model.mesh.solids) write_elements(model, group, out);
+  for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
+    for (const Elements& group : *groups) write_elements(model, group, out);
 
   for (const auto& set : model.node_sets) {
     out.keyword("SET_NODE_LIST", set.title);

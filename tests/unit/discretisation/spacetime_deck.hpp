@@ -1,0 +1,91 @@
+#pragma once
+/// Spacetime bodies from deck text, for the tests of this folder.
+
+#include <string>
+
+#include "deck/deck.hpp"
+#include "discretisation/spacetime/body.hpp"
+
+namespace cleave::discretisation::spacetime::test {
+
+template <int D>
+struct FromDeck {
+  deck::Diagnostics diagnostics;
+  model::Model model;
+  std::unique_ptr<const Body<D>> body;
+
+  explicit FromDeck(const std::string& text) {
+    model::Account account;
+    const deck::Deck deck = deck::Deck::read_text(text, "test.k", {}, diagnostics);
+    model = model::build(deck, {}, diagnostics, account);
+    if (!diagnostics.failed()) body = make_body<D>(model, diagnostics);
+  }
+  std::string text() const {
+    std::string all;
+    for (const auto& d : diagnostics.all())
+      all += std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + d.keyword + " " +
+             d.field + ": " + d.message + " | " + d.hint + "\n";
+    return all;
+  }
+  /// Is there an error at this line whose text holds the phrase?
+  bool refuses(int line, std::string_view phrase) const {
+    for (const auto& d : diagnostics.all())
+      if (d.severity == deck::Severity::error && d.place.line == line &&
+          d.message.find(phrase) != std::string::npos)
+        return true;
+    return false;
+  }
+  /// The boundary face with these nodes (the `side`th of a crack); -1 if there is none.
+  int face(std::vector<model::Id> nodes, int side = 0) const {
+    std::sort(nodes.begin(), nodes.end());
+    const auto& boundary = body->mesh.boundary();
+    for (std::size_t f = 0; f < boundary.size(); ++f) {
+      std::vector<model::Id> own;
+      for (const Vertex v : boundary[f].vertex) own.push_back(body->mesh.vertex_id(v));
+      std::sort(own.begin(), own.end());
+      if (own == nodes && side-- == 0) return static_cast<int>(f);
+    }
+    return -1;
+  }
+  /// Star values on a boundary face at a time, from given traces of the body.
+  Star<D> star(int face, double time, const Vector<D>& v = {}, const Vector<D>& s = {}) const {
+    const BoundaryFace<D>& at = body->mesh.boundary()[static_cast<std::size_t>(face)];
+    Interface<D> facet;
+    facet.n = at.normal;
+    facet.minus = &body->problem.materials[static_cast<std::size_t>(body->mesh.material(at.simplex))];
+    facet.z_minus = facet.minus->impedance(facet.n);
+    Event<D> middle{};
+    for (const Vertex w : at.vertex)
+      for (int k = 0; k < D; ++k) middle[k] += body->mesh.position()[static_cast<std::size_t>(w)][k] / D;
+    middle[D] = time;
+    Traces<D> traces;
+    traces.v_minus = v;
+    traces.s_minus = s;
+    StarMap<D> map;
+    Star<D> load;
+    body->problem.targets[static_cast<std::size_t>(face)]->star(facet, {&middle, 1}, {&traces, 1}, {&map, 1},
+                                                                {&load, 1});
+    return map.apply(traces, load);
+  }
+};
+
+/// Unit square of density 2, E = 2.5, nu = 0.25 (plane strain: lambda = mu = 1), nodes 1-4 around it and 5 in
+/// its middle, triangles 11 (below), 12, 13, 14 counter-clockwise. Ends without *END, so that text can
+/// follow.
+inline const std::string square =
+    "*KEYWORD\n"
+    "*CONTROL_TERMINATION\n1.0\n"
+    "*MAT_ELASTIC\n1,2.0,2.5,0.25\n"
+    "*SECTION_SHELL_SDG\n1\n"
+    "*PART\nsquare\n1,1,1\n"
+    "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0.5,0.5,0\n"
+    "*ELEMENT_SHELL\n11,1,1,2,5,5\n12,1,2,3,5,5\n13,1,3,4,5,5\n14,1,4,1,5,5\n"
+    "*DEFINE_CURVE\n9\n0,0\n2,2\n";
+inline const int after_square = 26;  ///< line of the first one after `square`
+/// As above, with these words exchanged.
+inline std::string square_with(const std::string& from, const std::string& to) {
+  std::string text = square;
+  return text.replace(text.find(from), from.size(), to);
+}
+
+}  // namespace cleave::discretisation::spacetime::test
