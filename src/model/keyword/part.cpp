@@ -13,7 +13,7 @@ void take_section(Draft& draft, const Entry& entry) {
   if (!draft.claim(entry, "section", section.id, "SECID")) return;
   section.title = entry.title();
   section.family = entry.keyword().substr(std::string_view("SECTION_").size());
-  section.place = entry.place();
+  section.place = entry.place("SECID");
   const std::int64_t form = entry.has("ELFORM") ? entry.integer("ELFORM") : 0;
   section.form = static_cast<int>(form == 0 ? 1 : form);
 
@@ -81,7 +81,7 @@ void take_part(Draft& draft, const Entry& entry) {
   if (part.id <= 0) return draft.error(entry, "PID", "a part number must be 1 or more");
   if (!draft.claim(entry, "part", part.id, "PID")) return;
   part.title = entry.title();
-  part.place = entry.place();
+  part.place = entry.place("PID");
   part.material_id = entry.id(IdKind::material, "MID");
   part.state_id = entry.id(IdKind::material, "EOSID");
 

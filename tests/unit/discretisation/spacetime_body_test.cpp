@@ -55,26 +55,29 @@ TEST(SpacetimeBody, PlaneStressSectionAndControl) {
 }
 
 TEST(SpacetimeBody, SupportsMotionsAndPressures) {
-  const FromDeck<2> b(square +
-                      "*SET_NODE\n1\n1,4\n*SET_NODE\n2\n1,2\n*SET_NODE\n3\n2,3\n"
+  const FromDeck<2> b(plate(2) +
+                      "*SET_NODE\n1\n1,4,7\n*SET_NODE\n2\n1,2,3\n*SET_NODE\n3\n3,6,9\n"
                       "*BOUNDARY_SPC_SET\n1,0,1,0,1,1,1,1\n*BOUNDARY_SPC_SET\n2,0,0,1,1\n"
-                      "*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,0,9,3.0\n*LOAD_SEGMENT\n9,-4,0.25,3,4\n");
+                      "*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,0,9,3.0\n*LOAD_SEGMENT\n9,-4,0.25,9,8\n");
   ASSERT_TRUE(b.body) << b.text();
-  // Left face: vx = 0, free along y. Bottom: vy = 0, free along x.
+  EXPECT_EQ(b.body->mesh.simplex_count(), 8);
+  // Left face: vx = 0, free along y. Bottom: vy = 0, free along x. Z = rho c_p = sqrt(6) along the normal.
   Star<2> star = b.star(b.face({1, 4}), 0.5, {0.3, 0.2}, {0.7, 0.0});
   EXPECT_NEAR(star.v_minus[0], 0.0, 1e-15);
   EXPECT_NEAR(star.v_minus[1], 0.2, 1e-15);
   EXPECT_NEAR(star.s[1], 0.0, 1e-15);
-  EXPECT_NEAR(star.s[0], 0.7 - std::sqrt(6.0) * 0.3, 1e-14);  // s + Z (v* - v), Z = rho c_p
+  EXPECT_NEAR(star.s[0], 0.7 - std::sqrt(6.0) * 0.3, 1e-14);
   star = b.star(b.face({1, 2}), 0.5, {0.3, 0.2}, {0.0, 0.0});
+  EXPECT_NEAR(star.v_minus[0], 0.3, 1e-15);
   EXPECT_NEAR(star.v_minus[1], 0.0, 1e-15);
   EXPECT_NEAR(star.s[0], 0.0, 1e-15);
   // Right: vx = 3 * curve(t) = 3 t. Top: pressure -4 * curve(t - 0.25), a pull along +y.
-  EXPECT_NEAR(b.star(b.face({2, 3}), 0.5).v_minus[0], 1.5, 1e-14);
-  star = b.star(b.face({3, 4}), 0.75);
+  EXPECT_NEAR(b.star(b.face({3, 6}), 0.5).v_minus[0], 1.5, 1e-14);
+  star = b.star(b.face({8, 9}), 0.75);
   EXPECT_NEAR(star.s[0], 0.0, 1e-15);
   EXPECT_NEAR(star.s[1], 4.0 * 0.5, 1e-14);
-  EXPECT_NEAR(b.star(b.face({3, 4}), 0.2).s[1], 0.0, 1e-15);
+  EXPECT_NEAR(b.star(b.face({8, 9}), 0.2).s[1], 0.0, 1e-15);
+  EXPECT_NEAR(b.star(b.face({7, 8}), 0.75).s[1], 0.0, 1e-15);
 }
 
 TEST(SpacetimeBody, RefusesPointSupportsAndInteriorNodes) {

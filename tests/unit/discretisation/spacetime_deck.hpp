@@ -88,4 +88,25 @@ inline std::string square_with(const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
+/// Unit square of n by n quadrilaterals of the same material; node 1 + i + j (n + 1) at (i, j) / n.
+inline std::string plate(int n) {
+  std::string text = square.substr(0, square.find("*NODE")) + "*NODE\n";
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      text += std::to_string(1 + i + j * (n + 1)) + "," + std::to_string(double(i) / n) + "," +
+              std::to_string(double(j) / n) + ",0\n";
+  text += "*ELEMENT_SHELL\n";
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = 1 + i + j * (n + 1);
+      text += std::to_string(1 + i + j * n) + ",1," + std::to_string(a) + "," + std::to_string(a + 1) + "," +
+              std::to_string(a + n + 2) + "," + std::to_string(a + n + 1) + "\n";
+    }
+  return text + square.substr(square.find("*DEFINE_CURVE"));
+}
+/// Line of the first one after plate(n).
+inline int after_plate(int n) {
+  return 14 + (n + 1) * (n + 1) + n * n + 3 + 1;
+}
+
 }  // namespace cleave::discretisation::spacetime::test

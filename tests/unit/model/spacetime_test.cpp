@@ -1,0 +1,153 @@
+/// Keywords of spacetime parts: sections, shells and bars, control, cracks; and back to a deck.
+
+#include <gtest/gtest.h>
+
+#include "deck_text.hpp"
+#include "model/elasticity.hpp"
+#include "model/equal.hpp"
+
+namespace cleave::model {
+namespace {
+
+using deck::Severity;
+
+/// A triangle and a quadrilateral side by side, part 1; ends without *END so that text can follow.
+const std::string plate =
+    "*KEYWORD\n"
+    "*CONTROL_TERMINATION\n1.0\n"
+    "*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n"
+    "*SECTION_SHELL_SDG_TITLE\nthin plate\n1,12,2,4,0.5\n"
+    "*PART\nplate\n1,1,1\n"
+    "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,2,0,0\n"
+    "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,2,5,3,3\n"
+    "*DEFINE_CURVE\n9\n0,0\n2,2\n";
+const int after_plate = 25;
+
+Built plate_with(const std::string& from, const std::string& to) {
+  std::string text = plate;
+  return build_text(text.replace(text.find(from), from.size(), to));
+}
+
+void expect_round_trip(const std::string& text) {
+  const Built first = build_text(text);
+  ASSERT_FALSE(first.failed()) << first.text();
+  const std::string written = write(first.model);
+  const Built second = build_text(written);
+  ASSERT_FALSE(second.failed()) << second.text() << written;
+  EXPECT_EQ(first_difference(first.model, second.model), "") << written;
+  EXPECT_EQ(write(second.model), written);
+}
+
+TEST(SpacetimeDeck, ShellsOfBothShapes) {
+  const Built b = build_text(plate);
+  ASSERT_FALSE(b.failed()) << b.text();
+  ASSERT_EQ(b.model.mesh.shells.size(), 2u);
+  EXPECT_EQ(b.model.mesh.shells[0].shape, Shape::tri3);
+  EXPECT_EQ(b.model.mesh.shells[0].node, (std::vector<Index>{1, 4, 2}));
+  EXPECT_EQ(b.model.mesh.shells[1].node, (std::vector<Index>{0, 1, 2, 3}));
+  const Part& part = b.model.parts.at(0);
+  EXPECT_EQ(spacetime_dimension(part.section), 2);
+  EXPECT_EQ(spacetime_thickness(part.section), 0.5);
+  EXPECT_EQ(part.section.form, 12);
+  EXPECT_EQ(part.section.number("DEGREE", 0), 4.0);
+  ASSERT_TRUE(part.elastic);
+  EXPECT_EQ(part.elastic->poisson, 0.3);
+  EXPECT_TRUE(build_text(plate + "*ELEMENT_SHELL\n2,1,1,2,3\n")
+                  .says(Severity::error, after_plate + 1, "a second time"));
+  EXPECT_TRUE(plate_with("1,1,1,2,3,4\n", "1,1,1,2,3,7\n").says(Severity::error, 19, "uses node 7"));
+  EXPECT_TRUE(plate_with("1,1,1,2,3,4\n", "1,1,1,2,3,4,5\n").says(Severity::error, 19, "has mid nodes"));
+  EXPECT_TRUE(
+      plate_with("1,1,1,2,3,4\n", "1,3,1,2,3,4\n").says(Severity::error, 19, "part 3 is not defined"));
+}
+
+TEST(SpacetimeDeck, OrdinaryShellsAreRefusedAsAWhole) {
+  EXPECT_TRUE(plate_with("*SECTION_SHELL_SDG_TITLE\nthin plate\n1,12,2,4,0.5\n", "*SECTION_SHELL\n1,2\n1.0\n")
+                  .says(Severity::error, 18, "not computed here"));
+  EXPECT_TRUE(build_text(cube + "*ELEMENT_SHELL\n7,1,1,2,3,4\n")
+                  .says(Severity::error, after_cube, "not computed here"));
+  EXPECT_TRUE(
+      build_text(cube + "*ELEMENT_BEAM\n7,1,1,2,3\n").says(Severity::error, after_cube, "not computed here"));
+  EXPECT_TRUE(build_text(plate + "*SECTION_SHELL\n2,2\n1.0\n*PART\n\n2,2,1\n*ELEMENT_SHELL\n7,2,1,2,3\n")
+                  .says(Severity::error, after_plate + 7, "not computed here: part 2 has *SECTION_SHELL"));
+}
+
+TEST(SpacetimeDeck, SectionsAreChecked) {
+  const auto section = [](const std::string& values) { return plate_with("1,12,2,4,0.5", values); };
+  EXPECT_TRUE(section("1,2").says(Severity::error, 8, "found 2, which is no spacetime element"));
+  EXPECT_TRUE(section("1,12,4").says(Severity::error, 8, "found 4, expected 1, 2 or 3"));
+  EXPECT_TRUE(section("1,12,0,7").says(Severity::error, 8, "found 7, expected 1 to 6"));
+  EXPECT_TRUE(section("1,12,0,0,-1.0").says(Severity::error, 8, "negative"));
+  EXPECT_EQ(section("1,").model.parts.at(0).section.form, 13);
+}
+
+TEST(SpacetimeDeck, OnlyLinearElasticLaws) {
+  EXPECT_TRUE(
+      plate_with("*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n", "*MAT_PLASTIC_KINEMATIC\n1,7.85e-9,2.1e5,0.3,200\n")
+          .says(Severity::error, 11, "this law is not computed in spacetime"));
+  EXPECT_TRUE(build_text(plate + "*MAT_ADD_EROSION\n1,0,100\n")
+                  .says(Severity::error, after_plate + 1, "elements are not deleted"));
+}
+
+TEST(SpacetimeDeck, ControlIsReadAndChecked) {
+  const auto control = [](const std::string& values) {
+    return build_text(plate + "*CONTROL_SPACETIME\n" + values);
+  };
+  const Built b = control("1,2,0.9,3,0.2,0.8,0.01,0.25\n2,1,3\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  const SpacetimeControl& c = b.model.control.spacetime;
+  EXPECT_EQ(c.space, SpacetimeControl::Space::one_field);
+  EXPECT_EQ(c.degree, 2);
+  EXPECT_EQ(c.chi, 0.9);
+  EXPECT_EQ(c.progress, SpacetimeControl::Progress::budget);
+  EXPECT_EQ(c.eps, 0.2);
+  EXPECT_EQ(c.height_factor, 0.8);
+  EXPECT_EQ(c.height_cap, 0.01);
+  EXPECT_EQ(c.smoothing, 0.25);
+  EXPECT_EQ(c.threads, 2);
+  EXPECT_TRUE(c.verify);
+  EXPECT_EQ(c.subdivision, 3);
+  const SpacetimeControl blank = control("0,\n").model.control.spacetime;
+  EXPECT_EQ(blank.space, SpacetimeControl::Space::trefftz);
+  EXPECT_EQ(blank.chi, 0.95);
+  for (const auto* bad : {"4,", "0,7", "0,0,1.0", "0,0,0,4", "0,0,0,0,0.6", "0,0,0,0,0,1.5", "0,0,0,0,0,0,-1",
+                          "0,0,0,0,0,0,0,2", "0,0\n-1,", "0,0\n0,2"})
+    EXPECT_TRUE(control(std::string(bad) + "\n").failed()) << bad;
+}
+
+TEST(SpacetimeDeck, EdgesAreSegments) {
+  const Built b = build_text(plate + "*LOAD_SEGMENT\n9,1,0,4,3\n9,2,0,1,2,2,2\n*SET_SEGMENT\n4\n1,2\n2,5\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  ASSERT_EQ(b.model.segment_loads.size(), 2u);
+  for (const SegmentLoad& load : b.model.segment_loads) EXPECT_EQ(corner_count(load.segments.at(0)), 2);
+  EXPECT_EQ(b.model.segment_sets.at(0).members.size(), 2u);
+  EXPECT_EQ(corner_count(b.model.segment_sets[0].members[1]), 2);
+  EXPECT_TRUE(build_text(cube + "*DEFINE_CURVE\n9\n0,0\n2,2\n*LOAD_SEGMENT\n9,1,0,1,2\n").failed());
+}
+
+TEST(SpacetimeDeck, CracksBelongToSpacetimeParts) {
+  const Built b = build_text(plate + "*BOUNDARY_PRECRACK\n1,1,2\n1,0,0\n1,1,0\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  ASSERT_EQ(b.model.precracks.size(), 1u);
+  EXPECT_EQ(b.model.precracks[0].points.size(), 2u);
+  EXPECT_EQ(b.model.precracks[0].points[1].y, 1.0);
+  EXPECT_TRUE(build_text(cube + "*BOUNDARY_PRECRACK\n1,1,1\n1,0,0\n")
+                  .says(Severity::error, after_cube + 1, "is not solved in spacetime"));
+}
+
+TEST(SpacetimeDeck, RoundTrip) {
+  expect_round_trip(
+      plate +
+      "*CONTROL_SPACETIME\n1,2,0.9,3,0.2,0.8,0.01,0.25\n2,1,3\n*SET_SEGMENT\n4\n1,2\n2,5\n"
+      "*LOAD_SEGMENT\n9,1,0,4,3\n*BOUNDARY_NON_REFLECTING\n4\n*BOUNDARY_PRECRACK\n1,1,2\n1,0,0\n1,1,0\n");
+  expect_round_trip(
+      "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n"
+      "*SECTION_BEAM_SDG\n1,2,0,0,0.25\n*PART\nbar\n1,1,1\n*NODE\n1,0,0,0\n2,1,0,0\n3,2,0,0\n"
+      "*ELEMENT_BEAM\n1,1,1,2\n2,1,2,3\n*DEFINE_CURVE\n9\n0,0\n2,2\n*LOAD_SEGMENT\n9,1,0,3\n");
+  expect_round_trip(
+      "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n"
+      "*SECTION_SOLID_SDG\n1,1,3,2\n*PART\ntet\n1,1,1\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n"
+      "*ELEMENT_SOLID\n1,1,1,2,3,4,4,4,4,4\n");
+}
+
+}  // namespace
+}  // namespace cleave::model
