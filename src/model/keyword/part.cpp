@@ -35,7 +35,7 @@ void take_section(Draft& draft, const Entry& entry) {
 void take_spacetime_section(Draft& draft, const Entry& entry) {
   take_section(draft, entry);
   const auto at = draft.sections.find(entry.id(IdKind::other, "SECID"));
-  if (at == draft.sections.end()) return;
+  if (at == draft.sections.end() || "SECTION_" + at->second.family != entry.keyword()) return;  // given twice
   Section& section = at->second;
   const int dimension = spacetime_dimension(section);
   const std::int64_t form = entry.integer("ELFORM");
