@@ -58,7 +58,7 @@ void Recorder::begin(const solver::Frame& frame) {
   remove_unfinished(options_.directory / "result");
 
   log_.open(options_.directory / "messag", resumed != nullptr);
-  masses_.emplace(frame.world);
+  masses_.emplace(frame.world, frame.motion);
   const Snapshot now(frame, *masses_);
   summary_.begin(now, resumed);
   for (auto& [name, writer] : writers_) writer->begin(now, find_memory(frame.state, memory_prefix + name));
@@ -76,8 +76,8 @@ void Recorder::after_step(const solver::Frame& frame) {
 void Recorder::finish(const solver::Frame& frame, solver::Ending ending,
                       const discretisation::StepStatus& status) {
   // Before the last rows, which an uninterrupted run would not have: a restarted run cuts them off. A state
-  // in which an element failed would only fail again.
-  if (ending != solver::Ending::physics) write_restart(frame, "restart.h5");
+  // in which an element failed would only fail again; one that knows how to save itself is whole even then.
+  if (ending != solver::Ending::physics || frame.save) write_restart(frame, "restart.h5");
   const Snapshot now(frame, *masses_);
   summary_.finish(now, ending, status);
   for (auto& [name, writer] : writers_) writer->finish(now, ending, status);
@@ -93,6 +93,7 @@ void Recorder::serve_restarts(const solver::Frame& frame) {
 }
 
 void Recorder::write_restart(const solver::Frame& frame, const std::string& name) {
+  if (frame.save) frame.save();
   std::vector<discretisation::Memory> observers;
   const auto add = [&](const std::string& writer, const std::vector<double>& values) {
     observers.push_back({memory_prefix + writer, {values.begin(), values.end()}});

@@ -40,7 +40,7 @@ Motion sum(std::size_t count, const solver::NodeVelocity& velocity, const NodeOf
 
 }  // namespace
 
-Masses::Masses(const discretisation::World& world)
+Masses::Masses(const discretisation::World& world, std::span<const solver::PartMotion> motion)
     : parts_(world.model->parts.size()),
       elements_(world.node_count(), 0.0),
       points_(world.node_count(), 0.0) {
@@ -66,9 +66,21 @@ Masses::Masses(const discretisation::World& world)
   for (const model::PointMass& point : world.model->point_masses)
     points_[static_cast<std::size_t>(point.node)] += point.mass;
   for (std::size_t a = 0; a < elements_.size(); ++a) total_ += elements_[a] + points_[a];
+  for (std::size_t p = 0; p < motion.size(); ++p) {
+    parts_[p].total = motion[p].mass;
+    total_ += motion[p].mass;
+  }
 }
 
 const Motion& Snapshot::whole() const {
+  if (!have_whole_ && !frame_.motion.empty()) {
+    for (const Motion& part : parts()) {
+      whole_.mass += part.mass;
+      for (int k = 0; k < 3; ++k) whole_.momentum[k] += part.momentum[k];
+      whole_.kinetic += part.kinetic;
+    }
+    have_whole_ = true;
+  }
   if (!have_whole_) {
     const double* mass = state().mass.data();
     whole_ = sum(
@@ -80,6 +92,9 @@ const Motion& Snapshot::whole() const {
 }
 
 const std::vector<Motion>& Snapshot::parts() const {
+  if (!parts_.empty()) return parts_;
+  for (const solver::PartMotion& part : frame_.motion)
+    parts_.push_back({part.mass, {part.momentum[0], part.momentum[1], part.momentum[2]}, part.kinetic});
   if (!parts_.empty()) return parts_;
   const double* now = state().mass.data();
   const double *elements = masses_.elements().data(), *points = masses_.points().data();

@@ -18,7 +18,8 @@ struct Motion {
 /// Which share of each node's mass belongs to which part; fixed for the whole run.
 class Masses {
  public:
-  explicit Masses(const discretisation::World& world);
+  /// @param motion  [part] where the solver gives it: the masses of parts without blocks
+  explicit Masses(const discretisation::World& world, std::span<const solver::PartMotion> motion = {});
 
   struct Part {
     std::vector<model::Index> node;  ///< nodes of the part's elements, ascending
@@ -45,7 +46,8 @@ class Snapshot {
   const discretisation::State& state() const { return frame_.state; }
   const Masses& masses() const { return masses_; }
 
-  const Motion& whole() const;  ///< all nodes of the model
+  /// All nodes of the model; what the solver says of all parts, where it does.
+  const Motion& whole() const;
   /// Nodes that parts share are divided by the masses of their elements; what scaling adds to a node or
   /// deleted elements take from it is divided likewise.
   const std::vector<Motion>& parts() const;

@@ -125,6 +125,11 @@ std::string Summary::json(const solver::Outcome& outcome) const {
       {"seconds", outcome.seconds},        {"element_cycles", outcome.element_cycles},
       {"element_cycles_per_second", rate}, {"nanoseconds_per_element_cycle", rate > 0.0 ? 1.0e9 / rate : 0.0},
       {"threads", base::thread_count()},   {"phases", phases}};
+  if (!outcome.facts.empty()) {
+    Json facts = Json::object();
+    for (const solver::Fact& fact : outcome.facts) facts[fact.name] = fact.value;
+    out["facts"] = facts;
+  }
   out["memory"] = {{"peak_bytes", static_cast<double>(usage.ru_maxrss) * 1024.0},
                    {"bytes_per_element", computed > 0 ? bytes_ / static_cast<double>(computed) : 0.0}};
 

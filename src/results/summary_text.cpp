@@ -1,5 +1,7 @@
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "base/threads.hpp"
 #include "results/summary.hpp"
 #include "results/text.hpp"
@@ -86,6 +88,11 @@ std::string Summary::text(const solver::Outcome& outcome) const {
       append_format(out, "%s%s %.1f %%", i ? ", " : "", outcome.phases[i].name.c_str(),
                     100.0 * outcome.phases[i].seconds / outcome.seconds);
     out += '\n';
+  }
+  for (const solver::Fact& fact : outcome.facts) {
+    std::string name = fact.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    append_format(out, "  %-26s %.6g\n", name.c_str(), fact.value);
   }
   if (context_.trouble.any()) {
     line("FILES");

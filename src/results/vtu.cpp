@@ -1,20 +1,15 @@
 #include "results/vtu.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <functional>
 
-#include "results/files.hpp"
-#include "results/text.hpp"
+#include "results/vtu_arrays.hpp"
 
 namespace cleave::results {
 namespace {
 
 using model::Index;
 using model::Shape;
-
-static_assert(std::endian::native == std::endian::little, "the file head says LittleEndian");
 
 /// VTK cell types (vtkCellType.h) and the order in which VTK wants our nodes.
 struct Cell {
@@ -49,36 +44,10 @@ Cell cell_of(Shape shape, const Index* node) {
   return {};
 }
 
-/// Collects the arrays of the head while their sizes are added up, then streams the data in the same order.
-class Arrays {
- public:
-  using Fill = std::function<void(WholeFile&)>;
-
-  void add(std::string& xml, const char* type, const std::string& name, int components, std::uint64_t bytes,
-           Fill fill) {
-    append_format(xml, "<DataArray type=\"%s\" Name=\"", type);
-    for (const char c : name) xml += std::string_view("\"<>&").find(c) == std::string_view::npos ? c : '_';
-    append_format(xml, "\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n", components,
-                  static_cast<unsigned long long>(offset_));
-    offset_ += bytes + sizeof(std::uint64_t);
-    parts_.push_back({bytes, std::move(fill)});
-  }
-  void write(WholeFile& file) const {
-    for (const auto& [bytes, fill] : parts_) {
-      file.write(&bytes, sizeof bytes);
-      fill(file);
-    }
-  }
-
- private:
-  std::uint64_t offset_ = 0;
-  std::vector<std::pair<std::uint64_t, Fill>> parts_;
-};
-
 /// The living elements of one frame and the nodes they use.
 class Grid {
  public:
-  Grid(const solver::Frame& frame, bool doubles) : frame_(frame), doubles_(doubles) {
+  Grid(const solver::Frame& frame, bool doubles) : frame_(frame), real_{doubles} {
     used_.assign(frame.world.node_count(), -1);
     for (std::size_t b = 0; b < frame.world.blocks.size(); ++b) {
       const discretisation::Block& block = *frame.world.blocks[b];
@@ -104,25 +73,17 @@ class Grid {
     WholeFile file(path);
     file.write(head);
     arrays.write(file);
-    file.write("\n</AppendedData>\n</VTKFile>\n");
+    file.write(vtu_end);
     return file.commit();
   }
 
  private:
   std::string describe(Arrays& arrays) {
-    std::string xml =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-        "byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
-    xml += "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">";
-    append_shortest(xml, frame_.state.time);
-    xml += "</DataArray>\n<DataArray type=\"Int64\" Name=\"cycle\" NumberOfTuples=\"1\" format=\"ascii\">";
-    xml += std::to_string(frame_.state.cycle) + "</DataArray>\n</FieldData>\n";
+    std::string xml = vtu_head(frame_.state);
     append_format(xml, "<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n", points_.size(), cell_count_);
     describe_points(xml, arrays);
     describe_cells(xml, arrays);
-    xml += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-    return xml;
+    return xml + vtu_appended;
   }
 
   void describe_points(std::string& xml, Arrays& arrays) {
@@ -222,22 +183,12 @@ class Grid {
       });
   }
 
-  const char* real_type() const { return doubles_ ? "Float64" : "Float32"; }
-  std::size_t real_bytes() const { return doubles_ ? 8 : 4; }
-  void real(WholeFile& file, double value) const {
-    if (doubles_) {
-      file.write(&value, 8);
-      return;
-    }
-    // Beyond the range of float32: the largest one, so that colour scales stay finite.
-    constexpr double largest = 3.4e38;
-    const float narrow =
-        static_cast<float>(std::isfinite(value) ? std::clamp(value, -largest, largest) : value);
-    file.write(&narrow, 4);
-  }
+  const char* real_type() const { return real_.type(); }
+  std::size_t real_bytes() const { return real_.bytes(); }
+  void real(WholeFile& file, double value) const { real_.write(file, value); }
 
   const solver::Frame& frame_;
-  bool doubles_;
+  const VtuReal real_;
   std::vector<Alive> alive_;         // of each block
   std::vector<std::int64_t> used_;   // node -> point, -1 for none
   std::vector<std::size_t> points_;  // point -> node
@@ -247,6 +198,7 @@ class Grid {
 }  // namespace
 
 std::string write_vtu(const std::filesystem::path& path, const solver::Frame& frame, bool doubles) {
+  if (frame.cells) return write_cells(path, frame.cells->cells(), frame.state, doubles);
   return Grid(frame, doubles).write(path);
 }
 

@@ -2,6 +2,7 @@
 /// What moves the State, and how others may watch.
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -37,6 +38,41 @@ class NodeVelocity {
   double since_;
 };
 
+/// Mass, momentum and kinetic energy of a part, where the solver knows better than a sum over nodes.
+struct PartMotion {
+  double mass = 0.0;               ///< [mass]
+  double momentum[3] = {0, 0, 0};  ///< [mass length/time]
+  double kinetic = 0.0;            ///< [energy]
+};
+
+/// Fields on cells of their own, each with its own points, for solvers whose fields jump between elements.
+struct CellFields {
+  int dimension = 0;                        ///< of the cells, which are simplices: 1, 2 or 3
+  std::vector<double> point;                ///< [point][3], undeformed [length]
+  std::vector<model::Index> cell;           ///< [cell][dimension + 1]
+  std::vector<discretisation::Id> element;  ///< [cell] user's element
+  std::vector<discretisation::Id> part;     ///< [cell] user's part
+  struct Field {
+    std::string name;
+    int size = 1;
+    std::vector<double> value;  ///< [point][size]
+  };
+  std::vector<Field> fields;
+};
+
+class CellSource {
+ public:
+  virtual ~CellSource() = default;
+  /// The fields at the time of the frame.
+  virtual CellFields cells() const = 0;
+};
+
+/// A named number of a run for its summary, and the table of a solver's own at one instant.
+struct Fact {
+  std::string name;  ///< lower case, with underscores
+  double value = 0.0;
+};
+
 /// Everything an observer may read after a step; valid only during the call.
 struct Frame {
   const model::Model& model;
@@ -49,6 +85,10 @@ struct Frame {
   std::span<const WallForce> walls;            ///< one per Model::walls
   discretisation::Id step_element = 0;         ///< controls the step
   std::span<const discretisation::Id> eroded;  ///< deleted in this step
+  std::span<const PartMotion> motion = {};     ///< [part]; empty: sum over the nodes
+  const CellSource* cells = nullptr;           ///< null: fields are those of nodes and blocks
+  std::span<const Fact> facts = {};            ///< the solver's own table at t_n; always the same names
+  std::function<void()> save = {};  ///< brings State::memory up to date before it is saved; empty: it is
 };
 
 enum class Ending {
@@ -97,6 +137,7 @@ struct Outcome {
     double seconds = 0.0;
   };
   std::vector<Phase> phases;
+  std::vector<Fact> facts = {};  ///< what else the solver wants known
 };
 
 class Solver {
@@ -110,5 +151,11 @@ class Solver {
 /// Explicit central differences. Unsupported combinations are diagnostics.
 std::unique_ptr<Solver> make_explicit(const discretisation::World& world, const Options& options,
                                       deck::Diagnostics& diagnostics);
+
+/// Spacetime discontinuous Galerkin on tents, for models of spacetime parts. A cycle is one output instant:
+/// the State is filled from the cut of the solution at its time. What the body cannot be made of is
+/// diagnosed.
+std::unique_ptr<Solver> make_tents(const discretisation::World& world, const Options& options,
+                                   deck::Diagnostics& diagnostics);
 
 }  // namespace cleave::solver

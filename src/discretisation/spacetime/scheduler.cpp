@@ -59,6 +59,7 @@ struct Scheduler<D>::Run {
   Front<D>& front;
   const double end_time;
   const Solve& solve;
+  const Pause& pause;
   std::vector<Diary> diaries;        ///< [vertex] when recording
   std::vector<double> first_height;  ///< [vertex] of its first tent, 0 before; written by whoever pitches it
   std::vector<char> slowed;          ///< [vertex]
@@ -74,7 +75,8 @@ struct Scheduler<D>::Run {
   bool pitch(Vertex v) {
     const auto started = std::chrono::steady_clock::now();
     const Key key = scheduler.pitcher_.key(front, v);
-    if (key.time > stop_after.load(std::memory_order_relaxed)) return false;
+    if (key.time > stop_after.load(std::memory_order_relaxed) || key.time >= pause.at) return false;
+    if (pause.stop && pause.stop->load(std::memory_order_relaxed)) return false;
     Pole<D> pole = scheduler.pitcher_.pitch(front, v, end_time);
     const double offered = pole.height();
     if (!(offered > 0.0)) return fail(v, key, "the front cannot rise");
@@ -239,12 +241,13 @@ struct Scheduler<D>::Run {
 
 template <int D>
 FrontStatus Scheduler<D>::advance(Front<D>& front, double end_time, const Solve& solve,
-                                  ScheduleRecord* record) {
+                                  ScheduleRecord* record, const Pause& pause) {
   Run run{.scheduler = *this,
           .mesh = pitcher_.mesh(),
           .front = front,
           .end_time = end_time,
           .solve = solve,
+          .pause = pause,
           .diaries = {},
           .first_height = std::vector<double>(front.time.size(), 0.0),
           .slowed = std::vector<char>(front.time.size(), 0),

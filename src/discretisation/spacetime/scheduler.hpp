@@ -6,7 +6,9 @@
 /// below it: the result has the same bits for any number of threads. There is no barrier; scheduler.cpp says
 /// who may touch what.
 
+#include <atomic>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,15 @@ struct ScheduleOptions {
   bool verify = false;  ///< check every patch with fault_of()
 };
 
+/// Where an advance pauses before its end. The tents until then, and those after it has been taken up again,
+/// are those of an advance without a pause.
+struct Pause {
+  /// Tents with a foot at or after this wait: then no vertex of the front is before it [time]
+  double at = std::numeric_limits<double>::infinity();
+  /// Set by another thread: finish the tents in flight and return; the front may be anywhere.
+  const std::atomic<bool>* stop = nullptr;
+};
+
 template <int D>
 class Scheduler {
  public:
@@ -55,10 +66,12 @@ class Scheduler {
   explicit Scheduler(const Pitcher<D>& pitcher, ScheduleOptions options = {})
       : pitcher_(pitcher), options_(options) {}
 
-  /// Moves the whole front to end_time, exactly. Uses base::thread_count() threads. When a tent fails, the
-  /// tents before it in time are still finished; the front stays admissible and the advance can be resumed.
+  /// Moves the whole front to end_time, exactly, or to a pause. Uses base::thread_count() threads. When a
+  /// tent fails, the tents before it in time are still finished; the front stays admissible and the advance
+  /// can be resumed.
   /// @param record  receives the tents with durations and dependencies when not null
-  FrontStatus advance(Front<D>& front, double end_time, const Solve& solve, ScheduleRecord* record = nullptr);
+  FrontStatus advance(Front<D>& front, double end_time, const Solve& solve, ScheduleRecord* record = nullptr,
+                      const Pause& pause = {});
 
  private:
   struct Run;

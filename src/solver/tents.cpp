@@ -1,0 +1,440 @@
+/// Spacetime discontinuous Galerkin on tents: from a body to outputs. Theory of the run:
+/// docs/solver/tents.md.
+///
+/// The front never waits to be level. It pauses where all of it has passed an instant of output (or a few
+/// that lie close together), and the solution is cut there at constant time. What the State holds between two
+/// pauses is the cut written last; the front and the solution under it go into State::memory when the State
+/// is saved.
+
+#include "solver/tents.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "base/assert.hpp"
+#include "base/threads.hpp"
+#include "discretisation/spacetime/scheduler.hpp"
+#include "solver/tents_cells.hpp"
+#include "solver/tents_instants.hpp"
+#include "solver/tents_state.hpp"
+#include "solver/termination.hpp"
+
+namespace cleave::solver {
+namespace {
+
+using namespace discretisation::spacetime;
+using discretisation::State;
+using discretisation::StepStatus;
+using Clock = std::chrono::steady_clock;
+
+constexpr double momentum_tolerance = 1e-11;  ///< of the largest flux of the patch
+constexpr double energy_tolerance = 1e-9;     ///< of the largest energy of the patch
+constexpr double volume_tolerance = 1e-11;    ///< of body times duration
+const char* const memory_name = "spacetime";
+
+double seconds(Clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+/// What many patches came to; the same for any number of threads but for the seconds.
+struct Tally {
+  std::int64_t patches = 0, elements = 0, unknowns = 0;
+  double worst_momentum = 0.0, worst_energy = 0.0;
+  double solving = 0.0, checking = 0.0;  ///< [s] of one thread
+
+  void add(const Tally& other) {
+    patches += other.patches;
+    elements += other.elements;
+    unknowns += other.unknowns;
+    worst_momentum = std::max(worst_momentum, other.worst_momentum);
+    worst_energy = std::max(worst_energy, other.worst_energy);
+    solving += other.solving;
+    checking += other.checking;
+  }
+};
+
+/// Scratch of one thread while it solves patches.
+template <int D>
+struct Worker {
+  PatchSolver<D> solver;
+  std::vector<const Solution<D>*> older;
+  std::vector<Solution<D>> solution;
+  Verify verify;
+  Tally tally;
+  explicit Worker(const Problem<D>& problem) : solver(problem) {}
+};
+
+template <int D>
+class Tents final : public Solver, private CellSource {
+ public:
+  Tents(const discretisation::World& world, std::unique_ptr<const Body<D>> body, const Options& options)
+      : world_(world),
+        model_(*world.model),
+        body_(std::move(body)),
+        options_(options),
+        pitcher_(body_->mesh, body_->pitch),
+        instants_(output_instants(model_, body_->end_time)),
+        pauses_(pauses(instants_, wave_time())),
+        outside_(*body_),
+        columns_(*body_, instants_),
+        filler_(model_, *body_, outside_) {}
+
+  Outcome advance(State& state, std::span<Observer* const> observers, Wishes& wishes) override {
+    lap_ = Clock::now();
+    StepStatus status = prepare(state);
+    for (Observer* observer : observers) observer->begin(frame(state));
+    book(output_);
+    std::optional<Ending> ending = reason_to_end(model_, state, options_, wishes);
+    while (status.ok && !ending) {
+      const FrontStatus moved = move(wishes);
+      if (!moved.ok) {
+        status = failure(moved);
+        break;
+      }
+      status = write_instants(state, observers, wishes, ending);
+      // Stopped in between: the state stays at the instant written last.
+      if (!ending && wishes.stop.load(std::memory_order_acquire))
+        ending = reason_to_end(model_, state, options_, wishes);
+    }
+    const Ending end = status.ok ? *ending : Ending::physics;
+    for (Observer* observer : observers) observer->finish(frame(state), end, status);
+    book(output_);
+    return outcome(end, status);
+  }
+
+  CellFields cells() const override {
+    const int wanted = model_.control.spacetime.subdivision;
+    int degree = 1;
+    for (const SpaceChoice& choice : body_->problem.spaces) degree = std::max(degree, field_degree(choice));
+    return cells_at<D>(model_, *body_, Instant<D>(*body_, columns_, time_), wanted > 0 ? wanted : degree);
+  }
+
+ private:
+  /// A few times what a wave needs across a simplex: pauses closer than this would leave threads idle [time].
+  double wave_time() const {
+    double sum = 0.0;
+    for (Simplex s = 0; s < body_->mesh.simplex_count(); ++s) {
+      const auto& corner = body_->mesh.simplex(s);
+      sum += distance(body_->mesh.position()[static_cast<std::size_t>(corner[0])],
+                      body_->mesh.position()[static_cast<std::size_t>(corner[1])]) /
+             body_->mesh.speed(s).fastest;
+    }
+    return 2.0 * sum / body_->mesh.simplex_count();
+  }
+
+  /// The initial state, or the one a restarted state carries.
+  StepStatus prepare(State& state) {
+    const auto saved = std::find_if(state.memory.begin(), state.memory.end(),
+                                    [](const auto& memory) { return memory.name == memory_name; });
+    if (saved == state.memory.end()) {
+      front_ = pitcher_.level_front(0.0);
+      written_ = 0;
+      time_ = 0.0;
+      filler_.start(state);
+    } else if (!load(saved->values)) {
+      return {false, -1, 0, "the restart file holds another spacetime mesh", "was the deck changed?"};
+    } else {
+      saved->values = {};  // saved anew when it is wanted
+    }
+    time_ = state.time;
+    fill(state, saved != state.memory.end());
+    return {};
+  }
+
+  /// Solves tents until all of the front has passed the next pause, or a wish stops it.
+  FrontStatus move(const Wishes& wishes) {
+    FrontStatus moved;
+    const std::size_t group = *std::lower_bound(pauses_.begin(), pauses_.end(), written_);
+    if (passed(instants_[group])) return moved;
+    const Scheduler<D> scheduler(pitcher_, {.verify = body_->verify});
+    moved = scheduler_advance(scheduler, {.at = instants_[group], .stop = &wishes.stop});
+    for (const auto& worker : workers_) {
+      tally_.add(worker->tally);
+      worker->tally = {};
+    }
+    slowed_ += static_cast<std::int64_t>(moved.slowed.size());
+    book(front_seconds_);
+    return moved;
+  }
+  FrontStatus scheduler_advance(Scheduler<D> scheduler, const Pause& pause) {
+    return scheduler.advance(
+        front_, body_->end_time, [this](const Patch<D>& patch) { return solve(patch); }, nullptr, pause);
+  }
+
+  bool passed(double instant) const {
+    return std::all_of(front_.time.begin(), front_.time.end(), [&](double t) { return t >= instant; });
+  }
+
+  /// Fills the state at each instant the front has passed and shows it.
+  StepStatus write_instants(State& state, std::span<Observer* const> observers, Wishes& wishes,
+                            std::optional<Ending>& ending) {
+    const double reached = *std::min_element(front_.time.begin(), front_.time.end());
+    while (!ending && written_ < instants_.size() && instants_[written_] <= reached) {
+      time_ = instants_[written_];
+      state.step = time_ - state.time;
+      state.time = time_;
+      ++state.cycle;
+      fill(state, false);
+      columns_.written(++written_);
+      book(cutting_);
+      if (const double excess = filler_.volume_error(time_); body_->verify && !(excess <= volume_tolerance))
+        return {false, -1, 0,
+                "the volumes of the tents do not add up to body times time: relative error " +
+                    std::to_string(excess),
+                "an error of the program; please report it with the deck"};
+      for (Observer* observer : observers) observer->after_step(frame(state));
+      book(output_);
+      ending = reason_to_end(model_, state, options_, wishes);
+    }
+    return {};
+  }
+
+  void fill(State& state, bool resumed) {
+    const Instant<D> instant(*body_, columns_, time_);
+    filler_.fill(state, instant, resumed);
+    const Exchange<D>& exchanged = filler_.exchanged();
+    const double scale = body_->thickness;
+    facts_.clear();
+    const auto fact = [&](const char* name, double value) { facts_.push_back({name, value}); };
+    const auto& energy = state.energy;
+    fact("patches", static_cast<double>(tally_.patches));
+    fact("elements", static_cast<double>(tally_.elements));
+    fact("kinetic_energy", energy.kinetic);
+    fact("strain_energy", energy.internal);
+    fact("boundary_work", scale * exchanged.boundary_work);
+    fact("body_work", scale * exchanged.body_work);
+    fact("dissipation", energy.initial + energy.external - energy.kinetic - energy.internal);
+    if (body_->verify) fact("dissipation_of_jumps", scale * exchanged.dissipation);
+    static constexpr const char* momentum[] = {"x_momentum", "y_momentum", "z_momentum"};
+    static constexpr const char* impulse[] = {"x_impulse", "y_impulse", "z_impulse"};
+    for (std::size_t i = 0; i < D; ++i) fact(momentum[i], filler_.momentum()[i]);
+    for (std::size_t i = 0; i < D; ++i) fact(impulse[i], scale * exchanged.impulse[i]);
+    if (body_->verify) {
+      fact("worst_momentum_residual", tally_.worst_momentum);
+      fact("worst_energy_residual", tally_.worst_energy);
+      fact("volume_error", filler_.volume_error(time_));
+    }
+  }
+
+  Verdict solve(const Patch<D>& patch) {
+    const auto started = Clock::now();
+    Worker<D>& w = *take_worker();
+    const std::size_t count = patch.elements.size();
+    if (w.solution.size() < count) w.solution.resize(count);
+    const std::span<Solution<D>> out(w.solution.data(), count);
+    w.older.assign(patch.facets.size(), nullptr);
+    for (std::size_t f = 0; f < patch.facets.size(); ++f)
+      if (patch.facets[f].kind == FacetKind::inflow)
+        w.older[f] =
+            columns_.under(patch.elements[static_cast<std::size_t>(patch.facets[f].element)].simplex);
+    const PatchStatus status = w.solver.solve(patch, w.older, out);
+    const auto solved = Clock::now();
+    w.tally.solving += seconds(solved - started);
+    Verdict verdict = verdict_of(status);
+    if (verdict.kind == Verdict::accept && body_->verify) {
+      w.solver.verify(patch, w.older, out, w.verify);
+      w.tally.worst_momentum = std::max(w.tally.worst_momentum, w.verify.momentum);
+      w.tally.worst_energy = std::max(w.tally.worst_energy, w.verify.energy);
+      if (!(w.verify.momentum <= momentum_tolerance))
+        verdict = broken(patch, "momentum is not balanced", w.verify.momentum, momentum_tolerance);
+      else if (!(w.verify.energy <= energy_tolerance))
+        verdict = broken(patch, "the energy identity does not hold", w.verify.energy, energy_tolerance);
+      w.tally.checking += seconds(Clock::now() - solved);
+    }
+    if (verdict.kind == Verdict::accept) {
+      columns_.commit(patch, out);
+      for (std::size_t e = 0; e < count; ++e) {
+        SolvedElement<D>& element = columns_.last(patch.elements[e].simplex);
+        if (body_->verify) element.exchange.dissipation = w.verify.element_dissipation[e];
+        element.exchange = outside_.before(patch.elements[e].simplex, element, never);
+      }
+      ++w.tally.patches;
+      w.tally.elements += static_cast<std::int64_t>(count);
+      w.tally.unknowns += w.solver.unknowns();
+    }
+    give_worker(&w);
+    return verdict;
+  }
+
+  Verdict verdict_of(PatchStatus status) const {
+    switch (status) {
+      case PatchStatus::solved:
+        return {};
+      case PatchStatus::degenerate:
+        return {Verdict::fail, 0.5, "a spacetime element has no volume"};
+      case PatchStatus::singular:
+        return {Verdict::lower, 0.9, "the patch is singular: a facet lies on the characteristic cone"};
+      case PatchStatus::tilted_interface:  // the next try stands upright
+        return {Verdict::lower, 0.99, "a facet between two materials is not vertical"};
+      case PatchStatus::not_converged:
+        return {Verdict::lower, 0.5, "the laws on the facets of a patch did not converge"};
+    }
+    return {Verdict::fail, 0.5, "the patch was not solved"};
+  }
+  Verdict broken(const Patch<D>& patch, std::string what, double value, double limit) const {
+    char numbers[96];
+    std::snprintf(numbers, sizeof numbers, ": relative residual %.3g, limit %.3g", value, limit);
+    what += numbers;
+    what += " in the patch of element " +
+            std::to_string(body_->element_of_simplex[static_cast<std::size_t>(patch.elements[0].simplex)]);
+    return {Verdict::fail, 0.5, what};
+  }
+
+  StepStatus failure(const FrontStatus& moved) const {
+    const auto v = static_cast<std::size_t>(moved.vertex);
+    const Simplex s = body_->mesh.star(moved.vertex)[0];
+    char where[160];
+    std::snprintf(
+        where, sizeof where, "at node %lld, time %.9g (it should rise by at least %.3g): ",
+        static_cast<long long>(model_.mesh.nodes.id[static_cast<std::size_t>(body_->node_of_vertex[v])]),
+        moved.time, moved.bound);
+    return {false, body_->mesh.material(s), body_->element_of_simplex[static_cast<std::size_t>(s)],
+            where + moved.what,
+            "the front and the solution below it are in the restart file; *CONTROL_SPACETIME EPS and CHI "
+            "change the tents"};
+  }
+
+  Worker<D>* take_worker() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) {
+      workers_.push_back(std::make_unique<Worker<D>>(body_->problem));
+      idle_.push_back(workers_.back().get());
+    }
+    Worker<D>* worker = idle_.back();
+    idle_.pop_back();
+    return worker;
+  }
+  void give_worker(Worker<D>* worker) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(worker);
+  }
+
+  /// The front, the columns and the counts as the memory of a state.
+  void save(State& state) const {
+    auto entry = std::find_if(state.memory.begin(), state.memory.end(),
+                              [](const auto& memory) { return memory.name == memory_name; });
+    if (entry == state.memory.end()) entry = state.memory.insert(entry, {memory_name, {}});
+    base::Array<double>& values = entry->values;
+    values.clear();
+    values.insert(values.end(),
+                  {static_cast<double>(D), static_cast<double>(front_.time.size()),
+                   static_cast<double>(front_.budget.size()), static_cast<double>(written_),
+                   static_cast<double>(tally_.patches), static_cast<double>(tally_.elements),
+                   static_cast<double>(tally_.unknowns), tally_.worst_momentum, tally_.worst_energy});
+    for (const Point<D>& x : front_.position) values.insert(values.end(), x.begin(), x.end());
+    values.insert(values.end(), front_.time.begin(), front_.time.end());
+    for (const Budget& b : front_.budget)
+      values.insert(values.end(), {b.step, static_cast<double>(b.newest)});
+    columns_.save(values);
+  }
+  bool load(std::span<const double> values) {
+    constexpr std::size_t head = 9;
+    front_ = pitcher_.level_front(0.0);
+    const std::size_t vertices = front_.time.size(), budgets = front_.budget.size();
+    const std::size_t size = head + (D + 1) * vertices + 2 * budgets;
+    if (values.size() < size || values[0] != D || values[1] != static_cast<double>(vertices) ||
+        values[2] != static_cast<double>(budgets))
+      return false;
+    written_ = static_cast<std::size_t>(values[3]);
+    tally_.patches = static_cast<std::int64_t>(values[4]);
+    tally_.elements = static_cast<std::int64_t>(values[5]);
+    tally_.unknowns = static_cast<std::int64_t>(values[6]);
+    tally_.worst_momentum = values[7];
+    tally_.worst_energy = values[8];
+    std::size_t at = head;
+    for (Point<D>& x : front_.position)
+      for (double& component : x) component = values[at++];
+    for (double& t : front_.time) t = values[at++];
+    for (Budget& b : front_.budget) {
+      b.step = values[at++];
+      b.newest = static_cast<std::int8_t>(values[at++]);
+    }
+    return columns_.load(values.subspan(size));
+  }
+
+  Frame frame(State& state) const {
+    return {.model = model_,
+            .world = world_,
+            .state = state,
+            .acceleration = filler_.acceleration(),
+            .velocity = {state.velocity, filler_.acceleration(), 0.0},
+            .reaction = filler_.reaction(),
+            .walls = {},
+            .step_element = 0,
+            .eroded = {},
+            .motion = filler_.motion(),
+            .cells = this,
+            .facts = facts_,
+            .save = [this, &state] { save(state); }};
+  }
+
+  void book(double& phase) {
+    const auto now = Clock::now();
+    phase += seconds(now - lap_);
+    lap_ = now;
+  }
+
+  Outcome outcome(Ending end, const StepStatus& status) const {
+    const double threads = base::thread_count();
+    const double solving = tally_.solving / threads, checking = tally_.checking / threads;
+    Outcome out{.ending = end,
+                .status = status,
+                .seconds = front_seconds_ + cutting_ + output_,
+                .element_cycles = static_cast<double>(tally_.elements),
+                .phases = {{"patches", solving}}};
+    if (body_->verify) out.phases.push_back({"checks", checking});
+    out.phases.push_back({"front", std::max(0.0, front_seconds_ - solving - checking)});
+    out.phases.push_back({"cuts", cutting_});
+    out.phases.push_back({"output", output_});
+    out.facts = {{"patches", static_cast<double>(tally_.patches)},
+                 {"patches_per_second", static_cast<double>(tally_.patches) / front_seconds_},
+                 {"unknowns_per_second", static_cast<double>(tally_.unknowns) / front_seconds_},
+                 {"slow_tents", static_cast<double>(slowed_)}};
+    for (const Fact& fact : facts_)
+      if (fact.name != "patches") out.facts.push_back(fact);
+    return out;
+  }
+
+  static constexpr double never = std::numeric_limits<double>::infinity();
+  const discretisation::World& world_;
+  const model::Model& model_;
+  const std::unique_ptr<const Body<D>> body_;
+  const Options options_;
+  const Pitcher<D> pitcher_;
+  const std::vector<double> instants_;
+  const std::vector<std::size_t> pauses_;
+  const Outside<D> outside_;
+
+  Front<D> front_;
+  Columns<D> columns_;
+  StateFiller<D> filler_;
+  std::size_t written_ = 0;  ///< instants
+  double time_ = 0.0;        ///< of the instant written last
+  Tally tally_;
+  std::int64_t slowed_ = 0;
+  std::vector<Fact> facts_;
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Worker<D>>> workers_;
+  std::vector<Worker<D>*> idle_;
+  Clock::time_point lap_;
+  double front_seconds_ = 0.0, cutting_ = 0.0, output_ = 0.0;
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Solver> make_tents(const discretisation::World& world, std::unique_ptr<const Body<D>> body,
+                                   const Options& options) {
+  return std::make_unique<Tents<D>>(world, std::move(body), options);
+}
+template std::unique_ptr<Solver> make_tents<1>(const discretisation::World&, std::unique_ptr<const Body<1>>,
+                                               const Options&);
+template std::unique_ptr<Solver> make_tents<2>(const discretisation::World&, std::unique_ptr<const Body<2>>,
+                                               const Options&);
+template std::unique_ptr<Solver> make_tents<3>(const discretisation::World&, std::unique_ptr<const Body<3>>,
+                                               const Options&);
+
+}  // namespace cleave::solver
