@@ -58,9 +58,9 @@ void print_costs(const model::Model& model, const discretisation::World& world,
 int check(const Options& options) {
   // Without an end time nothing runs, but everything else can be told.
   Reading reading = read_deck(options, false);
-  auto world = reading.failed() ? nullptr
-                                : std::make_unique<discretisation::World>(
-                                      discretisation::build(reading.model, reading.diagnostics));
+  auto world = reading.failed() ? nullptr : world_of(reading);
+  // What makes spacetime parts computable is in their solver; it has much to say against a deck.
+  if (world && world->blocks.empty()) solver_of(*world, {}, reading.diagnostics);
   const bool complete = !reading.failed();
   if (complete) model::check_end_time(reading.model, *reading.deck, reading.diagnostics);
   print_diagnostics(reading);

@@ -78,6 +78,9 @@ int parse(int argc, const char* const* argv, Options& options) {
         ->check(CLI::PositiveNumber);
     sub->add_option("--stop-at-cycle", options.stop_at_cycle, "write a restart after this cycle and stop")
         ->check(CLI::PositiveNumber);
+    sub->add_option("--tents", options.tents, "spacetime parts: draw so many of the first tents")
+        ->check(CLI::PositiveNumber);
+    sub->add_flag("--verify", options.verify, "spacetime parts: hold every patch to its balances");
     sub->add_flag("-q,--quiet", options.quiet, "no progress and no summary on the terminal");
   };
 

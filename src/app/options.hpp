@@ -18,6 +18,8 @@ struct Options {
   int threads = 0;      ///< 0: one per core
   bool allow_unsupported = false;
   bool quiet = false;
+  int tents = 0;                   ///< spacetime parts: draw so many of the first tents
+  bool verify = false;             ///< hold every spacetime patch to its balances
   double end_time = -1.0;          ///< replaces ENDTIM when given [time]
   std::int64_t stop_at_cycle = 0;  ///< write a restart and stop there
 };

@@ -22,6 +22,7 @@ Reading read_deck(const Options& options, bool needs_end_time) {
                                 .end_time = options.end_time,
                                 .needs_end_time = needs_end_time},
                                reading.diagnostics, reading.account);
+  if (options.verify) reading.model.control.spacetime.verify = true;
   return reading;
 }
 

@@ -7,16 +7,33 @@
 #include "app/account.hpp"
 #include "app/switches.hpp"
 #include "app/version.hpp"
+#include "base/threads.hpp"
+#include "discretisation/spacetime/body.hpp"
 #include "model/keyword/row_place.hpp"
 #include "results/picture_writer.hpp"
 #include "results/recorder.hpp"
-#include "solver/solver.hpp"
+#include "results/tent_picture.hpp"
 
 namespace cleave::app {
 
+std::unique_ptr<discretisation::World> world_of(Reading& reading) {
+  auto world = std::make_unique<discretisation::World>();
+  if (discretisation::spacetime::dimension_of(reading.model) > 0)
+    world->model = &reading.model;  // its parts have no blocks: the solver makes them computable
+  else
+    *world = discretisation::build(reading.model, reading.diagnostics);
+  return world;
+}
+
+std::unique_ptr<solver::Solver> solver_of(const discretisation::World& world, const solver::Options& options,
+                                          deck::Diagnostics& diagnostics) {
+  if (discretisation::spacetime::dimension_of(*world.model) > 0)
+    return solver::make_tents(world, options, diagnostics);
+  return solver::make_explicit(world, options, diagnostics);
+}
+
 std::unique_ptr<discretisation::World> build_world(Reading& reading) {
-  auto world =
-      std::make_unique<discretisation::World>(discretisation::build(reading.model, reading.diagnostics));
+  auto world = world_of(reading);
   if (!reading.failed()) return world;
   print_diagnostics(reading);
   return nullptr;
@@ -36,8 +53,10 @@ int simulate(const Simulation& simulation, discretisation::State& state) {
   const Reading& reading = simulation.reading;
 
   deck::Diagnostics diagnostics;
-  const auto solver =
-      solver::make_explicit(simulation.world, {.stop_at_cycle = options.stop_at_cycle}, diagnostics);
+  const int threads = reading.model.control.spacetime.threads;
+  if (options.threads == 0 && threads > 0) base::set_thread_count(threads);
+  const auto solver = solver_of(
+      simulation.world, {.stop_at_cycle = options.stop_at_cycle, .tents = options.tents}, diagnostics);
   const std::string objections = diagnostics.render(reading.deck->sources(), isatty(STDERR_FILENO));
   std::fputs(objections.c_str(), stderr);
   if (diagnostics.failed()) return bad_deck;
@@ -60,7 +79,9 @@ int simulate(const Simulation& simulation, discretisation::State& state) {
                               .deck_messages = simulation.deck_messages + objections,
                               .warnings = reading.diagnostics.count(deck::Severity::warning)});
   results::PictureWriter picture(simulation.directory);
-  solver::Observer* const observers[] = {&recorder, &picture};
+  results::TentPicture tents(simulation.directory);
+  std::vector<solver::Observer*> observers = {&recorder, &picture};
+  if (options.tents > 0) observers.push_back(&tents);
 
   solver::Outcome outcome;
   {
@@ -71,7 +92,8 @@ int simulate(const Simulation& simulation, discretisation::State& state) {
 
   if (!options.quiet)
     std::printf("%s\n%s", recorder.text_summary(outcome).c_str(), table_of(reading.account).c_str());
-  if (!picture.problem().empty()) std::fprintf(stderr, "cleave: no picture: %s\n", picture.problem().c_str());
+  for (const std::string& problem : {picture.problem(), tents.problem()})
+    if (!problem.empty()) std::fprintf(stderr, "cleave: no picture: %s\n", problem.c_str());
   if (recorder.failed()) return files_failed;
   if (outcome.ending == solver::Ending::physics) return physics_failed;
   if (const int signal = Switches::signal_received()) return 128 + signal;

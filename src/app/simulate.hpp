@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/commands.hpp"
-#include "discretisation/world.hpp"
+#include "solver/solver.hpp"
 
 namespace cleave::app {
 
@@ -21,6 +21,13 @@ struct Simulation {
 
 /// Moves the state to the end with every observer attached, prints the summary, returns the exit status.
 int simulate(const Simulation& simulation, discretisation::State& state);
+
+/// Blocks of the model; none for one that is solved in spacetime. Diagnostics go to the reading.
+std::unique_ptr<discretisation::World> world_of(Reading& reading);
+
+/// The solver that the model's sections ask for. Null or diagnosed when it cannot be had.
+std::unique_ptr<solver::Solver> solver_of(const discretisation::World& world, const solver::Options& options,
+                                          deck::Diagnostics& diagnostics);
 
 /// Blocks of the model; what it has to say against the deck is printed. Null when it was refused.
 std::unique_ptr<discretisation::World> build_world(Reading& reading);

@@ -17,6 +17,7 @@ struct PictureModel {
   std::span<const double> position;                 ///< [node][3] [length]
   std::vector<std::vector<float>> element_value{};  ///< [block][element]
   std::vector<float> node_value{};                  ///< [node]
+  const Surface* surface = nullptr;                 ///< shown in place of the outer faces of `cells`
 };
 
 struct PictureOptions {

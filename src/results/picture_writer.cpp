@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "results/picture.hpp"
+#include "results/surface_cells.hpp"
 
 namespace cleave::results {
 namespace {
@@ -49,6 +50,13 @@ std::string name_with_largest(const solver::Frame& frame, std::string name,
   return name;
 }
 
+std::string moment_of(const solver::Frame& frame) {
+  char moment[80];
+  std::snprintf(moment, sizeof moment, "t = %.4g,  cycle %lld", frame.state.time,
+                static_cast<long long>(frame.state.cycle));
+  return moment;
+}
+
 /// Length of each node's way from where it started. [node] [length]
 std::vector<float> displacements(const solver::Frame& frame) {
   const std::vector<double>& start = frame.model.mesh.nodes.position;
@@ -77,7 +85,24 @@ void PictureWriter::finish(const solver::Frame& frame, solver::Ending, const dis
   write(frame, "picture.png");
 }
 
+/// Cells with fields of their own: the length of the velocity, for waves are what they are about.
+void PictureWriter::write_cells(const solver::Frame& frame, const char* name) {
+  const solver::CellFields cells = frame.cells->cells();
+  const CellSurface shown = surface_of(cells);
+  const auto& velocity = *std::find_if(cells.fields.begin(), cells.fields.end(),
+                                       [](const auto& field) { return field.name == "velocity"; });
+  PictureModel picture{.cells = {}, .position = shown.position, .surface = &shown.surface};
+  for (const std::uint32_t p : shown.point_of)
+    picture.node_value.push_back(static_cast<float>(
+        std::hypot(velocity.value[3 * p], velocity.value[3 * p + 1], velocity.value[3 * p + 2])));
+  PictureOptions look{.title = frame.model.title, .field = "velocity", .moment = moment_of(frame)};
+  look.edges = false;
+  if (cells.dimension < 3) look.views = {{.eye = {0, 0, 1}, .up = {0, 1, 0}}};
+  if (std::string wrong = write_picture(picture, look, directory_ / name); !wrong.empty()) problem_ = wrong;
+}
+
 void PictureWriter::write(const solver::Frame& frame, const char* name) {
+  if (frame.cells) return write_cells(frame, name);
   const auto& blocks = frame.world.blocks;
   std::vector<std::vector<std::uint8_t>> alive;
   std::vector<SolidCells> cells;
@@ -100,10 +125,7 @@ void PictureWriter::write(const solver::Frame& frame, const char* name) {
     look.field = "displacement";
   }
   look.title = frame.model.title;
-  char moment[80];
-  std::snprintf(moment, sizeof moment, "t = %.4g,  cycle %lld", frame.state.time,
-                static_cast<long long>(frame.state.cycle));
-  look.moment = moment;
+  look.moment = moment_of(frame);
   if (std::string wrong = write_picture(picture, look, directory_ / name); !wrong.empty()) problem_ = wrong;
 }
 

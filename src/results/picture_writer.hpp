@@ -13,7 +13,8 @@ struct PictureWriterOptions {
   std::string field = "effective_plastic_strain";  ///< of the blocks; displacement where no block has it
 };
 
-/// Writes picture.png of the last state, and initial.png of the first where it is wanted.
+/// Writes picture.png of the last state, and initial.png of the first where it is wanted. Spacetime parts
+/// show the length of their velocity.
 class PictureWriter : public solver::Observer {
  public:
   explicit PictureWriter(std::filesystem::path run_directory, PictureWriterOptions options = {});
@@ -28,6 +29,7 @@ class PictureWriter : public solver::Observer {
 
  private:
   void write(const solver::Frame& frame, const char* name);
+  void write_cells(const solver::Frame& frame, const char* name);
 
   std::filesystem::path directory_;
   PictureWriterOptions options_;

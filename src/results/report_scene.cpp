@@ -8,7 +8,7 @@
 #include "results/picture_colour.hpp"
 #include "results/report_encode.hpp"
 #include "results/report_vtu.hpp"
-#include "results/surface.hpp"
+#include "results/surface_cells.hpp"
 
 namespace cleave::results {
 namespace {
@@ -36,23 +36,31 @@ struct Skin {
   }
 };
 
-/// Plain scalars of cells, and lengths of vectors of points; ids are no fields.
+bool is_id(const VtuFrame::Field& field) {
+  return field.name == "part_id" || field.name == "node_id";
+}
+
+/// Plain scalars, and lengths of vectors of points; ids are no fields.
 bool is_shown(const VtuFrame::Field& field) {
-  if (field.on_cells) return field.size == 1 && field.name != "part_id";
-  return field.size == 3 && (field.name == "displacement" || field.name == "velocity");
+  if (field.size == 1) return !is_id(field);
+  return !field.on_cells && field.size == 3 && (field.name == "displacement" || field.name == "velocity");
 }
 
 /// The more telling field comes first in the menu.
 int rank(const std::string& name) {
-  static constexpr const char* order[] = {"effective_plastic_strain", "von_mises", "pressure", "displacement",
-                                          "velocity"};
+  static constexpr const char* order[] = {
+      "effective_plastic_strain", "von_mises", "max_shear_stress", "pressure", "displacement", "velocity"};
   const auto* at = std::find(std::begin(order), std::end(order), name);
   return static_cast<int>(at - std::begin(order));
 }
 
 Skin skin_of(const VtuFrame& frame, double time) {
   const std::vector<SolidCells> cells = frame.cells();
-  Surface surface = outer_faces(cells, frame.position.size() / 3);
+  // Points without a node's number belong to their cell alone.
+  const bool own_points = std::none_of(frame.fields.begin(), frame.fields.end(),
+                                       [](const auto& field) { return field.name == "node_id"; });
+  Surface surface = own_points ? outer_faces_by_place(cells, frame.position)
+                               : outer_faces(cells, frame.position.size() / 3);
   orient_outwards(surface, cells, frame.position);
 
   Skin skin;
@@ -82,7 +90,9 @@ Skin skin_of(const VtuFrame& frame, double time) {
       for (const std::uint32_t c : cell) shown.value.push_back(field.value[c]);
     else
       for (const std::uint32_t p : point)
-        shown.value.push_back(std::hypot(field.value[3 * p], field.value[3 * p + 1], field.value[3 * p + 2]));
+        shown.value.push_back(
+            field.size == 1 ? field.value[p]
+                            : std::hypot(field.value[3 * p], field.value[3 * p + 1], field.value[3 * p + 2]));
     skin.fields.push_back(std::move(shown));
   }
   std::stable_sort(skin.fields.begin(), skin.fields.end(),

@@ -65,6 +65,9 @@ class CellSource {
   virtual ~CellSource() = default;
   /// The fields at the time of the frame.
   virtual CellFields cells() const = 0;
+  /// The first tents of the run as cells of spacetime, as many as Options::tents says; time is the last axis,
+  /// in lengths that the fastest wave runs. Empty in three dimensions.
+  virtual CellFields tents() const = 0;
 };
 
 /// A named number of a run for its summary, and the table of a solver's own at one instant.
@@ -124,6 +127,7 @@ class Observer {
 
 struct Options {
   std::int64_t stop_at_cycle = 0;  ///< for tests of restart; 0 none
+  int tents = 0;                   ///< spacetime: how many of the first tents to keep for a picture
 };
 
 /// What one run of a solver came to.

@@ -16,6 +16,7 @@
 #include "base/assert.hpp"
 #include "base/threads.hpp"
 #include "discretisation/spacetime/scheduler.hpp"
+#include "solver/tents_album.hpp"
 #include "solver/tents_cells.hpp"
 #include "solver/tents_instants.hpp"
 #include "solver/tents_state.hpp"
@@ -79,7 +80,9 @@ class Tents final : public Solver, private CellSource {
         pauses_(pauses(instants_, wave_time())),
         outside_(*body_),
         columns_(*body_, instants_),
-        filler_(model_, *body_, outside_) {}
+        filler_(model_, *body_, outside_),
+        album_(options.tents),
+        verify_(body_->verify) {}
 
   Outcome advance(State& state, std::span<Observer* const> observers, Wishes& wishes) override {
     lap_ = Clock::now();
@@ -109,6 +112,14 @@ class Tents final : public Solver, private CellSource {
     int degree = 1;
     for (const SpaceChoice& choice : body_->problem.spaces) degree = std::max(degree, field_degree(choice));
     return cells_at<D>(model_, *body_, Instant<D>(*body_, columns_, time_), wanted > 0 ? wanted : degree);
+  }
+
+  CellFields tents() const override {
+    double fastest = 0.0;
+    for (const Elastic<D>& material : body_->problem.materials) fastest = std::max(fastest, material.fastest);
+    CellFields cells = album_.cells(fastest, body_->element_of_simplex);
+    for (discretisation::Id& part : cells.part) part = model_.parts[static_cast<std::size_t>(part)].id;
+    return cells;
   }
 
  private:
@@ -148,7 +159,7 @@ class Tents final : public Solver, private CellSource {
     FrontStatus moved;
     const std::size_t group = *std::lower_bound(pauses_.begin(), pauses_.end(), written_);
     if (passed(instants_[group])) return moved;
-    const Scheduler<D> scheduler(pitcher_, {.verify = body_->verify});
+    const Scheduler<D> scheduler(pitcher_, {.verify = verify_});
     moved = scheduler_advance(scheduler, {.at = instants_[group], .stop = &wishes.stop});
     for (const auto& worker : workers_) {
       tally_.add(worker->tally);
@@ -179,7 +190,7 @@ class Tents final : public Solver, private CellSource {
       fill(state, false);
       columns_.written(++written_);
       book(cutting_);
-      if (const double excess = filler_.volume_error(time_); body_->verify && !(excess <= volume_tolerance))
+      if (const double excess = filler_.volume_error(time_); verify_ && !(excess <= volume_tolerance))
         return {false, -1, 0,
                 "the volumes of the tents do not add up to body times time: relative error " +
                     std::to_string(excess),
@@ -206,12 +217,12 @@ class Tents final : public Solver, private CellSource {
     fact("boundary_work", scale * exchanged.boundary_work);
     fact("body_work", scale * exchanged.body_work);
     fact("dissipation", energy.initial + energy.external - energy.kinetic - energy.internal);
-    if (body_->verify) fact("dissipation_of_jumps", scale * exchanged.dissipation);
+    if (verify_) fact("dissipation_of_jumps", scale * exchanged.dissipation);
     static constexpr const char* momentum[] = {"x_momentum", "y_momentum", "z_momentum"};
     static constexpr const char* impulse[] = {"x_impulse", "y_impulse", "z_impulse"};
     for (std::size_t i = 0; i < D; ++i) fact(momentum[i], filler_.momentum()[i]);
     for (std::size_t i = 0; i < D; ++i) fact(impulse[i], scale * exchanged.impulse[i]);
-    if (body_->verify) {
+    if (verify_) {
       fact("worst_momentum_residual", tally_.worst_momentum);
       fact("worst_energy_residual", tally_.worst_energy);
       fact("volume_error", filler_.volume_error(time_));
@@ -233,7 +244,7 @@ class Tents final : public Solver, private CellSource {
     const auto solved = Clock::now();
     w.tally.solving += seconds(solved - started);
     Verdict verdict = verdict_of(status);
-    if (verdict.kind == Verdict::accept && body_->verify) {
+    if (verdict.kind == Verdict::accept && verify_) {
       w.solver.verify(patch, w.older, out, w.verify);
       w.tally.worst_momentum = std::max(w.tally.worst_momentum, w.verify.momentum);
       w.tally.worst_energy = std::max(w.tally.worst_energy, w.verify.energy);
@@ -247,9 +258,10 @@ class Tents final : public Solver, private CellSource {
       columns_.commit(patch, out);
       for (std::size_t e = 0; e < count; ++e) {
         SolvedElement<D>& element = columns_.last(patch.elements[e].simplex);
-        if (body_->verify) element.exchange.dissipation = w.verify.element_dissipation[e];
+        if (verify_) element.exchange.dissipation = w.verify.element_dissipation[e];
         element.exchange = outside_.before(patch.elements[e].simplex, element, never);
       }
+      album_.add(pitcher_.key(front_, patch.pole), patch);
       ++w.tally.patches;
       w.tally.elements += static_cast<std::int64_t>(count);
       w.tally.unknowns += w.solver.unknowns();
@@ -318,11 +330,11 @@ class Tents final : public Solver, private CellSource {
     if (entry == state.memory.end()) entry = state.memory.insert(entry, {memory_name, {}});
     base::Array<double>& values = entry->values;
     values.clear();
-    values.insert(values.end(),
-                  {static_cast<double>(D), static_cast<double>(front_.time.size()),
-                   static_cast<double>(front_.budget.size()), static_cast<double>(written_),
-                   static_cast<double>(tally_.patches), static_cast<double>(tally_.elements),
-                   static_cast<double>(tally_.unknowns), tally_.worst_momentum, tally_.worst_energy});
+    values.insert(values.end(), {static_cast<double>(D), static_cast<double>(front_.time.size()),
+                                 static_cast<double>(front_.budget.size()), static_cast<double>(written_),
+                                 static_cast<double>(tally_.patches), static_cast<double>(tally_.elements),
+                                 static_cast<double>(tally_.unknowns), tally_.worst_momentum,
+                                 tally_.worst_energy, verify_ ? 1.0 : 0.0});
     for (const Point<D>& x : front_.position) values.insert(values.end(), x.begin(), x.end());
     values.insert(values.end(), front_.time.begin(), front_.time.end());
     for (const Budget& b : front_.budget)
@@ -330,7 +342,7 @@ class Tents final : public Solver, private CellSource {
     columns_.save(values);
   }
   bool load(std::span<const double> values) {
-    constexpr std::size_t head = 9;
+    constexpr std::size_t head = 10;
     front_ = pitcher_.level_front(0.0);
     const std::size_t vertices = front_.time.size(), budgets = front_.budget.size();
     const std::size_t size = head + (D + 1) * vertices + 2 * budgets;
@@ -343,6 +355,7 @@ class Tents final : public Solver, private CellSource {
     tally_.unknowns = static_cast<std::int64_t>(values[6]);
     tally_.worst_momentum = values[7];
     tally_.worst_energy = values[8];
+    verify_ = verify_ || values[9] != 0.0;
     std::size_t at = head;
     for (Point<D>& x : front_.position)
       for (double& component : x) component = values[at++];
@@ -384,7 +397,7 @@ class Tents final : public Solver, private CellSource {
                 .seconds = front_seconds_ + cutting_ + output_,
                 .element_cycles = static_cast<double>(tally_.elements),
                 .phases = {{"patches", solving}}};
-    if (body_->verify) out.phases.push_back({"checks", checking});
+    if (verify_) out.phases.push_back({"checks", checking});
     out.phases.push_back({"front", std::max(0.0, front_seconds_ - solving - checking)});
     out.phases.push_back({"cuts", cutting_});
     out.phases.push_back({"output", output_});
@@ -412,6 +425,8 @@ class Tents final : public Solver, private CellSource {
   StateFiller<D> filler_;
   std::size_t written_ = 0;  ///< instants
   double time_ = 0.0;        ///< of the instant written last
+  TentAlbum<D> album_;
+  bool verify_;  ///< a run that began with it goes on with it
   Tally tally_;
   std::int64_t slowed_ = 0;
   std::vector<Fact> facts_;
