@@ -339,13 +339,16 @@ class Tents final : public Solver, private CellSource {
     values.insert(values.end(), front_.time.begin(), front_.time.end());
     for (const Budget& b : front_.budget)
       values.insert(values.end(), {b.step, static_cast<double>(b.newest)});
+    const Exchange<D>& x = filler_.exchanged();
+    values.insert(values.end(), {x.boundary_work, x.body_work, x.dissipation, x.volume});
+    values.insert(values.end(), x.impulse.begin(), x.impulse.end());
     columns_.save(values);
   }
   bool load(std::span<const double> values) {
     constexpr std::size_t head = 10;
     front_ = pitcher_.level_front(0.0);
     const std::size_t vertices = front_.time.size(), budgets = front_.budget.size();
-    const std::size_t size = head + (D + 1) * vertices + 2 * budgets;
+    const std::size_t size = head + (D + 1) * vertices + 2 * budgets + 4 + D;
     if (values.size() < size || values[0] != D || values[1] != static_cast<double>(vertices) ||
         values[2] != static_cast<double>(budgets))
       return false;
@@ -364,6 +367,10 @@ class Tents final : public Solver, private CellSource {
       b.step = values[at++];
       b.newest = static_cast<std::int8_t>(values[at++]);
     }
+    Exchange<D> x;
+    for (double* number : {&x.boundary_work, &x.body_work, &x.dissipation, &x.volume}) *number = values[at++];
+    for (double& component : x.impulse) component = values[at++];
+    filler_.resume(x);
     return columns_.load(values.subspan(size));
   }
 

@@ -19,6 +19,8 @@ class StateFiller {
 
   /// Nodal masses and what does not change: once for a new state.
   void start(discretisation::State& state) const;
+  /// What was exchanged before the instant that a resumed state was filled at.
+  void resume(const discretisation::spacetime::Exchange<D>& exchanged) { exchanged_ = exchanged; }
   /// @param resumed  the state was filled at this instant before it was saved: keeps its energies, which need
   ///                 elements that are no longer there
   void fill(discretisation::State& state, const discretisation::spacetime::Instant<D>& instant, bool resumed);

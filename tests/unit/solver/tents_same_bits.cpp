@@ -105,6 +105,11 @@ TEST(TentsBits, AreTheSameAfterStopsAtEveryInstant) {
     ASSERT_TRUE(outcome.status.ok) << outcome.status.what;
     ASSERT_EQ(resumed.cycle, stop);
     // What a restarted run shows first is what was shown last.
+    if (stop > 1) {
+      const Seen& before = watcher.seen[static_cast<std::size_t>(stop - 1)];
+      EXPECT_EQ(leg.seen.front().fact("boundary_work"), before.fact("boundary_work"));
+      EXPECT_EQ(leg.seen.front().fact("x_impulse"), before.fact("x_impulse"));
+    }
     const Seen& same = watcher.seen[static_cast<std::size_t>(stop)];
     EXPECT_EQ(leg.seen.back().energy.kinetic, same.energy.kinetic);
     EXPECT_EQ(leg.seen.back().energy.external, same.energy.external);
