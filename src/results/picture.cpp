@@ -196,7 +196,7 @@ std::vector<float> corner_values(const PictureModel& model, const Surface& surfa
 std::string write_picture(const PictureModel& model, const PictureOptions& options,
                           const std::filesystem::path& file) {
   Surface surface = model.surface ? *model.surface : outer_faces(model.cells, model.position.size() / 3);
-  if (surface.count() == 0) return "no picture: the model has no active elements";
+  if (surface.count() == 0) return "no picture: the model has no active solid elements";
   if (!model.surface) orient_outwards(surface, model.cells, model.position);
   const std::vector<float> normals = corner_normals(surface, model.position);
   const std::vector<float> values = corner_values(model, surface, options.smooth);

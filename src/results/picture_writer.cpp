@@ -95,7 +95,10 @@ void PictureWriter::write_cells(const solver::Frame& frame, const char* name) {
   for (const std::uint32_t p : shown.point_of)
     picture.node_value.push_back(static_cast<float>(
         std::hypot(velocity.value[3 * p], velocity.value[3 * p + 1], velocity.value[3 * p + 2])));
-  PictureOptions look{.title = frame.model.title, .field = "velocity", .moment = moment_of(frame)};
+  PictureOptions look;
+  look.title = frame.model.title;
+  look.field = "velocity";
+  look.moment = moment_of(frame);
   look.edges = false;
   if (cells.dimension < 3) look.views = {{.eye = {0, 0, 1}, .up = {0, 1, 0}}};
   if (std::string wrong = write_picture(picture, look, directory_ / name); !wrong.empty()) problem_ = wrong;

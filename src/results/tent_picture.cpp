@@ -29,7 +29,9 @@ void TentPicture::finish(const solver::Frame& frame, solver::Ending, const discr
   }
   const auto& order = cells.fields[0].value;
   picture.node_value.assign(order.begin(), order.end());
-  PictureOptions look{.title = frame.model.title, .field = "order of the tents"};
+  PictureOptions look;
+  look.title = frame.model.title;
+  look.field = "order of the tents";
   look.moment = "the first " + std::to_string(static_cast<long long>(order.back())) + " tents; time upwards";
   if (flat)
     look.views = {{.eye = {0, 0, 1}, .up = {0, 1, 0}}};
