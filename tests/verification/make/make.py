@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Writes the larger verification decks, each with its expectation: make.py [NAME...]  (default: all)."""
+"""Writes the larger verification decks, each with its expectation: make.py [NAME...]  (default: all
+but the large ones of spacetime.py, which are written here on demand)."""
 import math
 import sys
 from pathlib import Path
 
 from deck import Deck
+import spacetime
 from mesh import box, hexahedra, hexahedron_volume, mirrored, outer_faces, quarter_cylinder, tetrahedra, wedges
 
 HERE = Path(__file__).resolve().parent.parent
@@ -730,9 +732,17 @@ CASES["taylor_copper_123"] = lambda: taylor_copper_long(123, 19.60)
 CASES["taylor_copper_183"] = lambda: taylor_copper_long(183, 16.81)
 
 
+CASES.update({**spacetime.CASES, **spacetime.EXAMPLES})
+
+
 if __name__ == "__main__":
     for name in sys.argv[1:] or CASES:
-        written = CASES[name]()
+        written = {**CASES, **spacetime.LARGE}[name]()
         folder = HERE.parent / "validation" if name.startswith("taylor") else HERE
+        if name in spacetime.EXAMPLES:
+            folder = HERE.parent.parent / "examples" / name
+            folder.mkdir(exist_ok=True)
+        elif name in spacetime.LARGE:
+            folder = Path(".")
         (folder / (written.name + ".k")).write_text(written.text())
         print(written.name)

@@ -1,0 +1,361 @@
+"""Decks of the spacetime wing: waves in one, two and three dimensions, waves at cracks. Used by make.py."""
+import math
+
+from crack import StepLoadedCrack, intensity
+from deck import Deck
+from mesh import Mesh, hexahedra, tetrahedra
+from simplices import Triangles, edges_on, faces_on, penny_quarter
+
+CASES, EXAMPLES, LARGE = {}, {}, {}   # decks that are tests; those that are examples too; on demand only
+
+
+def case(function):
+    CASES[function.__name__] = function
+    return function
+
+
+def example(function):
+    EXAMPLES[function.__name__] = function
+    return function
+
+
+def common(deck, end, space=3, degree=3, interval=None, nodes=(), frames=0):
+    deck.card("CONTROL_TERMINATION", [end])
+    deck.card("CONTROL_SPACETIME", [space, degree], [0, 1])
+    deck.card("DATABASE_GLSTAT", [interval or end / 100])
+    if frames:
+        deck.card("DATABASE_BINARY_D3PLOT", [end / frames])
+    if nodes:
+        deck.card("DATABASE_NODOUT", [interval or end / 100])
+        for i in range(0, len(nodes), 8):
+            deck.card("DATABASE_HISTORY_NODE", list(nodes[i:i + 8]))
+    # Balance of momentum and energy of every patch, and the volume of all tents.
+    deck.says("expect", "summary facts.worst_momentum_residual  0.0  abs=1e-12 (roundoff)")
+    deck.says("expect", "summary facts.worst_energy_residual  0.0  abs=1e-10 (roundoff)")
+    deck.says("expect", "summary facts.volume_error  0.0  abs=1e-11 (roundoff)")
+
+
+def write_mesh(deck, mesh):
+    """Bars, shells or tetrahedra, by the number of nodes of the elements and whether they are flat."""
+    size = len(mesh.elements[0][1])
+    flat = all(p[2] == 0.0 for p in mesh.nodes)
+    if size == 4 and not flat:
+        return deck.mesh(mesh)
+    deck.lines.append("*NODE")
+    for i, p in enumerate(mesh.nodes):
+        deck.lines.append(f"{i + 1:8d}" + "".join(f"{v:16.10g}" for v in p))
+    deck.lines.append("*ELEMENT_BEAM" if size == 2 else "*ELEMENT_SHELL")
+    for i, (part, nodes) in enumerate(mesh.elements):
+        nodes = list(nodes) + [nodes[-1]] * (4 - len(nodes)) if size > 2 else nodes
+        deck.lines.append(f"{i + 1:8d}{part:8d}" + "".join(f"{k:8d}" for k in nodes))
+
+
+def node_at(mesh, *place):
+    place = tuple(place) + (0.0,) * (3 - len(place))
+    return min(range(len(mesh.nodes)), key=lambda i: math.dist(mesh.nodes[i], place)) + 1
+
+
+def push(deck, segments, curve, factor):
+    deck.card("LOAD_SEGMENT_SET", [deck.segment_set(segments), curve, factor])
+
+
+def rollers(deck, nodes, *held):
+    deck.card("BOUNDARY_SPC_SET", [deck.node_set(nodes), 0] + [1 if k in held else 0 for k in "xyz"])
+
+
+def step_curve(deck, number):
+    deck.curve(number, [(0.0, 1.0), (1.0e3, 1.0)])
+
+
+def pulse(t, length):
+    return math.sin(math.pi * t / length) ** 4 if 0 < t < length else 0.0
+
+
+def pulse_curve(deck, number, length, points=400):
+    deck.curve(number, [(length * i / points, pulse(length * i / points, length)) for i in range(points + 1)]
+               + [(1.0e3, 0.0)])
+
+
+# --- a crack under a step wave --------------------------------------------------------------------------------
+
+STEEL = {"young": 211.0e9, "poisson": 0.3, "density": 7800.0}
+
+
+def speed_d(young, poisson, density):
+    return math.sqrt(young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) / density)
+
+
+def crack_plate(name, half_width, coarse, fine, growth, degree, whole):
+    """Catalogue I01 and V4: a plate 4 m high with a crack to its middle, a step of tension at its top. Only what can
+    tell the crack from a semi-infinite one before 3 t_c is cut away at the sides, which are planes of symmetry."""
+    height, stress = 2.0, 500.0e6
+    c = speed_d(**STEEL)
+    arrival = height / c
+    grid = (round(2 * half_width / coarse), round(height / coarse))
+    size = lambda x, y: max(fine, min(coarse, growth * math.hypot(x, y)))
+    bottom = -height if whole else 0.0
+    mesh = Triangles((-half_width, bottom), (half_width, height),
+                     (grid[0], grid[1] * (2 if whole else 1)), size).mesh()
+    deck = Deck(name, "Step wave on a semi-infinite crack")
+    deck.says("case", "dynamic stress intensity: faces of a crack open under a step wave, "
+              + ("whole plate, crack opened in the mesh" if whole else "half of it, by symmetry"))
+    deck.says("source", "Freund, Dynamic Fracture Mechanics (1990), section 2.4; faces by make/crack.py; catalogue I01")
+    exact = StepLoadedCrack(STEEL["poisson"])
+    velocity = stress / (STEEL["density"] * c)
+    places = [node_at(mesh, -r, 0.0) for r in (0.125, 0.25, 0.5, 1.0)]
+    for node in places:
+        r = -mesh.nodes[node - 1][0]
+        for share in (1.5, 2.0, 2.5, 2.95):
+            t = (share - 1) * arrival
+            u = velocity * t * exact.displacement(c * t / r)
+            deck.says("expect", f"y_displacement node={node} time={share * arrival:.10g}  {u:.6g}  rel=0.01 "
+                      f"(order: {r:g} m from the tip, K would be {intensity(0.3, stress, c * t):.4g})")
+    common(deck, 3 * arrival, degree=degree, interval=arrival / 40, nodes=places, frames=12)
+    deck.card("SECTION_SHELL_SDG", [1])
+    deck.part(1, 1, 1)
+    deck.card("MAT_ELASTIC", [1, STEEL["density"], STEEL["young"], STEEL["poisson"]])
+    step_curve(deck, 1)
+    near = lambda a, b: abs(a - b) < 1e-9
+    top = edges_on(mesh, lambda x, y, z: near(y, height))
+    push(deck, [e + e[1:] for e in top], 1, -stress * (1.0 if whole else 0.5))
+    rollers(deck, mesh.where(lambda x, y, z: near(abs(x), half_width)), "x")
+    if whole:
+        deck.card("BOUNDARY_PRECRACK", [1, 1, 2], [-half_width, 0.0, 0.0], [0.0, 0.0, 0.0])
+    else:
+        rollers(deck, mesh.where(lambda x, y, z: near(y, 0.0) and x > -1e-9), "y")
+    write_mesh(deck, mesh)
+    return deck
+
+
+EXAMPLES["crack_step"] = lambda: crack_plate("crack_step", 2.25, 0.25, 0.03125, 0.35, 3, whole=False)
+LARGE["crack_step_fine"] = lambda: crack_plate("crack_step_fine", 2.25, 0.125, 0.015625, 0.25, 3, whole=False)
+LARGE["crack_step_whole"] = lambda: crack_plate("crack_step_whole", 5.0, 0.25, 0.03125, 0.35, 3, whole=True)
+
+
+# --- waves along a bar, through a strip of two materials, across a sheet, through a block ------------------------
+
+def plane_strain_modulus(nu, density, speed):
+    """Young's modulus that gives a longitudinal wave speed in a solid."""
+    return density * speed * speed * (1 + nu) * (1 - 2 * nu) / (1 - nu)
+
+
+def bar(count):
+    """A pulse of prescribed velocity runs along a bar to its free end, which moves twice as fast."""
+    deck = Deck(f"spacetime_bar_{count}", f"Pulse in a bar, {count} elements")
+    length, end = 0.5, 1.5
+    mesh = Mesh()
+    at = lambda i: (i + (0.2 * math.sin(5.0 * i) if 0 < i < count else 0.0)) / count
+    free, driven = mesh.node(1.0, 0.0, 0.0), mesh.node(0.0, 0.0, 0.0)   # the same numbers on every mesh
+    for i in range(count):
+        mesh.element(1, [mesh.node(at(i), 0.0, 0.0), mesh.node(at(i + 1), 0.0, 0.0)])
+    if count == 8:
+        deck.says("case", "a smooth pulse along a bar of uneven elements, three fields of degree 2: order 3")
+        deck.says("source", "d'Alembert: the free end has moved by twice the integral of the pulse")
+        deck.says("order", f"x_displacement node={free} time=1.2 exact={2 * pulse_integral(0.2, length):.10g} "
+                  "in=2.2..6 with=spacetime_bar_16.k,spacetime_bar_32.k (order)")
+        deck.says("vary", "threads=1,2,3")
+    common(deck, end, space=2, degree=2, interval=0.05, nodes=[free, driven])
+    deck.card("SECTION_BEAM_SDG", [1])
+    deck.part(1, 1, 1)
+    deck.card("MAT_ELASTIC", [1, 1.0, 1.0, 0.3])
+    pulse_curve(deck, 1, length)
+    deck.card("BOUNDARY_PRESCRIBED_MOTION_NODE", [driven, 1, 0, 1, 1.0])
+    write_mesh(deck, mesh)
+    return deck
+
+
+def pulse_integral(t, length):
+    """Of pulse() from 0 to t."""
+    x = math.pi * t / length
+    return length / math.pi * (3 * x / 8 - math.sin(2 * x) / 4 + math.sin(4 * x) / 32)
+
+
+for _count in (8, 16, 32):
+    CASES[f"spacetime_bar_{_count}"] = lambda count=_count: bar(count)
+
+
+@case
+def spacetime_strip():
+    """A pulse of pressure meets another material and leaves through a silent end."""
+    deck = Deck("spacetime_strip", "Pulse through two materials")
+    mesh = Triangles((0.0, 0.0), (2.0, 0.25), (16, 2), lambda x, y: 0.125).mesh(lambda x, y: 1 if x < 1 else 2)
+    left, right = node_at(mesh, 0.5, 0.125), node_at(mesh, 1.5, 0.125)
+    deck.says("case", "transmission and reflection at an interface, and a silent end; Trefftz functions of degree 4")
+    deck.says("source", "impedances 1 and 4: velocities 2/5 and -3/5 of the incident, traction 8/5 of it")
+    deck.says("expect", f"x_velocity node={left} time=0.75  1.0  rel=0.01 (order: the crest stands on a border of elements)")
+    deck.says("expect", f"x_velocity node={right} time=1.5  0.4  rel=0.004 (order)")
+    deck.says("expect", f"x_velocity node={left} time=1.75  -0.6  rel=0.004 (order)")
+    deck.says("expect", f"x_velocity node={right} time=2.3  0.0  abs=0.002 (order: nothing comes back from the end)")
+    deck.says("vary", "threads=1,2,3")
+    common(deck, 2.3, degree=4, interval=0.05, nodes=[left, right])
+    deck.card("SECTION_SHELL_SDG", [1])
+    for part, density, speed in ((1, 1.0, 1.0), (2, 2.0, 2.0)):
+        deck.part(part, 1, part)
+        deck.card("MAT_ELASTIC", [part, density, plane_strain_modulus(0.25, density, speed), 0.25])
+    pulse_curve(deck, 1, 0.5)
+    push(deck, [e + e[1:] for e in edges_on(mesh, lambda x, y, z: x == 0.0)], 1, 1.0)
+    deck.card("BOUNDARY_NON_REFLECTING", [deck.segment_set([e + e[1:] for e in edges_on(mesh, lambda x, y, z: x == 2.0)])])
+    rollers(deck, mesh.where(lambda x, y, z: y in (0.0, 0.25)), "y")
+    write_mesh(deck, mesh)
+    return deck
+
+
+@case
+def spacetime_shear():
+    """A shear pulse through uneven quadrilaterals, one field."""
+    deck = Deck("spacetime_shear", "Shear pulse through a sheet")
+    nx, ny = 16, 3
+    mesh = Mesh()
+    place = lambda i, j: ((i + (0.15 * math.sin(3.7 * i + 2.1 * j) if 0 < i < nx else 0.0)) / nx,
+                          (j + (0.15 * math.cos(2.9 * i + 1.3 * j) if 0 < j < ny else 0.0)) / nx, 0.0)
+    for j in range(ny):
+        for i in range(nx):
+            mesh.element(1, [mesh.node(*place(i + a, j + b)) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))])
+    free = node_at(mesh, 1.0, 1.0 / nx)
+    deck.says("case", "a shear pulse at unit speed through quadrilaterals, one field of degree 4: doubled at the free end")
+    deck.says("source", "d'Alembert")
+    deck.says("expect", f"y_velocity node={free} time=1.25  2.0  rel=0.005 (order)")
+    deck.says("expect", f"y_displacement node={free} time=1.6  {2 * pulse_integral(0.5, 0.5):.8g}  rel=0.002 (order)")
+    deck.says("expect", f"x_velocity node={free} time=1.25  0.0  abs=0.005 (order)")
+    common(deck, 1.6, space=1, degree=4, interval=0.05, nodes=[free])
+    deck.card("SECTION_SHELL_SDG", [1])
+    deck.part(1, 1, 1)
+    deck.card("MAT_ELASTIC", [1, 1.0, 2.5, 0.25])
+    pulse_curve(deck, 1, 0.5)
+    moved = deck.node_set(mesh.where(lambda x, y, z: x == 0.0))
+    deck.card("BOUNDARY_PRESCRIBED_MOTION_SET", [moved, 2, 0, 1, 1.0])
+    rollers(deck, mesh.where(lambda x, y, z: x == 0.0 or y in (0.0, ny / nx)), "x")
+    write_mesh(deck, mesh)
+    return deck
+
+
+@case
+def spacetime_block():
+    """A pulse of pressure through tetrahedra."""
+    deck = Deck("spacetime_block", "Pressure pulse through a block")
+    counts = (8, 2, 2)
+    inside = lambda n, k: 0 < n < counts[k]
+    place = lambda *g: tuple((n + (0.12 * math.sin(3.1 * g[0] + 2.3 * g[1] + 1.7 * g[2] + k) if inside(n, k) else 0.0)) / 8
+                             for k, n in enumerate(g))
+    mesh = tetrahedra(hexahedra(counts, place))
+    free = node_at(mesh, 1.0, 0.125, 0.125)
+    deck.says("case", "a pulse of pressure through uneven tetrahedra, Trefftz functions of degree 3: doubled at the free end")
+    deck.says("source", "d'Alembert")
+    deck.says("expect", f"x_velocity node={free} time=1.35  2.0  rel=0.02 (order)")
+    deck.says("expect", f"x_displacement node={free} time=1.8  {2 * pulse_integral(0.7, 0.7):.8g}  rel=0.01 (order)")
+    deck.says("vary", "threads=1,2")
+    common(deck, 1.8, degree=3, interval=0.05, nodes=[free])
+    deck.card("SECTION_SOLID_SDG", [1])
+    deck.part(1, 1, 1)
+    deck.card("MAT_ELASTIC", [1, 1.0, plane_strain_modulus(0.25, 1.0, 1.0), 0.25])
+    pulse_curve(deck, 1, 0.7)
+    push(deck, faces_on(mesh, lambda x, y, z: x == 0.0), 1, 1.0)
+    rollers(deck, mesh.where(lambda x, y, z: y in (0.0, 0.25)), "y")
+    rollers(deck, mesh.where(lambda x, y, z: z in (0.0, 0.25)), "z")
+    write_mesh(deck, mesh)
+    return deck
+
+
+# --- a crack inside a plate, and a penny-shaped one ----------------------------------------------------------------
+
+def scattering(name, coarse, fine, degree, end, case=True):
+    """V3: both ends of a plate two crack lengths wide are pulled suddenly; the waves meet at the crack."""
+    nu = 0.3
+    exact = StepLoadedCrack(nu)
+    size = lambda x, y: max(fine, min(coarse, 0.35 * math.hypot(abs(x) - 0.5, y)))
+    mesh = Triangles((-1.0, -1.0), (1.0, 1.0), (round(2 / coarse),) * 2, size).mesh()
+    deck = Deck(name, "Waves at the tips of a crack")
+    places = [node_at(mesh, x, 0.0) for x in (0.0, 0.25, 0.375)]
+    if case:
+        deck.says("case", "a crack in a plate pulled at both ends: faces open as in an infinite body, tip by tip")
+        deck.says("source", "Freund (1990), section 2.4, two tips superposed; faces by make/crack.py")
+        for node in places:
+            x = mesh.nodes[node - 1][0]
+            for t in (0.12, 0.25, 0.5, 0.75, 0.95):
+                u = 2 * t * (1 + sum(exact.displacement(t / r) - 1 for r in (0.5 - x, 0.5 + x)))
+                side = -1 if x == 0.0 else 1   # a node on a crack shows its first side, by the order of the elements
+                far = t < 0.5 - x
+                deck.says("expect", f"y_displacement node={node} time={1 + t:g}  {side * u:.6g}  "
+                          f"rel={0.02 if t < 0.2 else 0.005 if far else 0.01} (order{': before the tips are felt' if far else ''})")
+    common(deck, end, degree=degree, interval=0.01, nodes=places, frames=20)
+    deck.card("SECTION_SHELL_SDG", [1])
+    deck.part(1, 1, 1)
+    deck.card("MAT_ELASTIC", [1, 1.0, plane_strain_modulus(nu, 1.0, 1.0), nu])
+    step_curve(deck, 1)
+    push(deck, [e + e[1:] for e in edges_on(mesh, lambda x, y, z: abs(y) == 1.0)], 1, -1.0)
+    rollers(deck, mesh.where(lambda x, y, z: abs(x) == 1.0), "x")
+    deck.card("BOUNDARY_PRECRACK", [1, 1, 2], [-0.5, 0.0, 0.0], [0.5, 0.0, 0.0])
+    write_mesh(deck, mesh)
+    return deck
+
+
+EXAMPLES["wave_scattering"] = lambda: scattering("wave_scattering", 0.125, 0.03125, 3, 2.0)
+
+
+def penny(name, rings, outer, width, layers, height, degree, end):
+    """V14: the faces of a penny-shaped crack are pushed apart suddenly (which is what scatters from a step wave of
+    tension); a quarter of the body, silent outside."""
+    nu, speed = 0.25, 1.0
+    step = height / layers
+    heights = [step * k for k in range(-layers, layers + 1)]
+    mesh = penny_quarter(1.0, rings, outer, width, heights)
+    deck = Deck(name, "Penny-shaped crack under a step wave")
+    at = lambda r: node_at(mesh, r, 0.0, 0.0)
+    nodes = [at(k / rings) for k in range(rings)] + [node_at(mesh, 0.0, k / rings, 0.0) for k in range(1, rings)]
+    deck.says("case", "faces of a penny-shaped crack before the waves of its front arrive, and after")
+    deck.says("source", "opening 2 s t/(rho c_d) until t = (a - r)/c_d; specification V14")
+    for r, times in ((0.0, (0.3, 0.6, 0.9)), (0.5, (0.2, 0.4))):
+        for t in times:
+            deck.says("expect", f"z_displacement node={at(r)} time={t:g}  {-t / speed:.6g}  rel={0.015 if t < 0.25 else 0.01} "
+                      "(order: of the lower face, which comes first in the mesh)")
+    common(deck, end, degree=degree, interval=end / 90, nodes=nodes, frames=9)
+    deck.card("SECTION_SOLID_SDG", [1])
+    deck.part(1, 1, 1)
+    deck.card("MAT_ELASTIC", [1, 1.0, plane_strain_modulus(nu, 1.0, speed), nu])
+    step_curve(deck, 1)
+    near = lambda a, b: abs(a - b) < 1e-9
+    inside = set(mesh.where(lambda x, y, z: near(z, 0.0) and math.hypot(x, y) < 1.0 + 1e-9))
+    upper, lower = [], []
+    for _, n in mesh.elements:
+        face = [k for k in n if k in inside]
+        if len(face) == 3:
+            apex = next(k for k in n if k not in inside)
+            a, b, c = (mesh.nodes[k - 1] for k in face)
+            turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+            if mesh.nodes[apex - 1][2] > 0:      # the body above: its face looks down
+                upper.append(face if turn < 0 else [face[0], face[2], face[1]])
+            else:
+                lower.append(face if turn > 0 else [face[0], face[2], face[1]])
+    push(deck, upper + lower, 1, 1.0)
+    rollers(deck, mesh.where(lambda x, y, z: near(x, 0.0)), "x")
+    rollers(deck, mesh.where(lambda x, y, z: near(y, 0.0)), "y")
+    outside = (faces_on(mesh, lambda x, y, z: near(x, width)) + faces_on(mesh, lambda x, y, z: near(y, width))
+               + faces_on(mesh, lambda x, y, z: near(abs(z), height)))
+    deck.card("BOUNDARY_NON_REFLECTING", [deck.segment_set([list(f) + [f[2]] for f in outside])])
+    rim = [mesh.nodes[k - 1] for k in inside if near(math.hypot(*mesh.nodes[k - 1][:2]), 1.0)]
+    rim.sort(key=lambda p: math.atan2(p[1], p[0]))
+    deck.card("BOUNDARY_PRECRACK", [1, 1, len(rim) + 1], [0.0, 0.0, 0.0], *[list(p) for p in rim], wide=True)
+    write_mesh(deck, mesh)
+    return deck
+
+
+EXAMPLES["penny_crack"] = lambda: penny("penny_crack", 4, 2, 1.8, 4, 1.0, 3, 0.9)
+LARGE["wave_scattering_fine"] = lambda: scattering("wave_scattering_fine", 0.0625, 0.015625, 4, 2.0)
+LARGE["penny_crack_fine"] = lambda: penny("penny_crack_fine", 8, 8, 4.0, 16, 4.0, 3, 4.0)
+
+
+@example
+def spacetime_mesh():
+    """A few triangles under a pulse: to look at the tents."""
+    deck = Deck("spacetime_mesh", "Tents over a square")
+    mesh = Triangles((0.0, 0.0), (1.0, 1.0), (4, 4), lambda x, y: max(0.0625, 0.6 * math.hypot(x - 0.5, y - 0.5))).mesh()
+    deck.says("case", "tents over a square whose triangles are smaller in the middle")
+    deck.says("source", "balance of momentum and energy")
+    common(deck, 0.5, degree=2, interval=0.1, nodes=[1])
+    deck.card("SECTION_SHELL_SDG", [1])
+    deck.part(1, 1, 1)
+    deck.card("MAT_ELASTIC", [1, 1.0, plane_strain_modulus(0.25, 1.0, 1.0), 0.25])
+    pulse_curve(deck, 1, 0.5, 40)
+    push(deck, [e + e[1:] for e in edges_on(mesh, lambda x, y, z: x == 0.0)], 1, 1.0)
+    write_mesh(deck, mesh)
+    return deck
