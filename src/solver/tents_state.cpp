@@ -1,5 +1,6 @@
 #include "solver/tents_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/threads.hpp"
@@ -18,6 +19,18 @@ StateFiller<D>::StateFiller(const model::Model& model, const Body& body, const O
     char& taken = shown[static_cast<std::size_t>(body.node_of_vertex[static_cast<std::size_t>(v)])];
     if (!taken) vertex_.push_back(v);
     taken = 1;
+  }
+  std::vector<char> fixed(nodes, 0);
+  for (const auto& held : model.fixed)
+    if (held.directions & 7u)
+      for (const model::Index node : held.nodes) fixed[static_cast<std::size_t>(node)] = 1;
+  for (const auto& motion : model.motions)
+    for (const model::Index node : motion.nodes) fixed[static_cast<std::size_t>(node)] = 1;
+  for (const BoundaryFace<D>& face : body.mesh.boundary()) {
+    held_.push_back(1);
+    for (const Vertex v : face.vertex)
+      if (!fixed[static_cast<std::size_t>(body.node_of_vertex[static_cast<std::size_t>(v)])])
+        held_.back() = 0;
   }
   acceleration_.assign(3 * nodes, 0.0);
   reaction_.assign(3 * nodes, 0.0);
@@ -42,6 +55,7 @@ void StateFiller<D>::start(State& state) const {
 template <int D>
 void StateFiller<D>::fill(State& state, const Instant<D>& instant, bool resumed) {
   fill_nodes(state, instant);
+  fill_reactions(instant);
   const std::vector<PartSums<D>> sums = instant.sums();
   momentum_ = {};
   double kinetic = 0.0, internal = 0.0;
@@ -78,6 +92,17 @@ void StateFiller<D>::fill_nodes(State& state, const Instant<D>& instant) {
       }
     }
   });
+}
+
+/// Forces of the boundary on the nodes of its held faces; others stay zero.
+template <int D>
+void StateFiller<D>::fill_reactions(const Instant<D>& instant) {
+  std::vector<Vector<D>> force(static_cast<std::size_t>(body_.mesh.vertex_count()), Vector<D>{});
+  instant.reactions(outside_, held_, force);
+  std::fill(reaction_.begin(), reaction_.end(), 0.0);
+  for (std::size_t v = 0; v < force.size(); ++v)
+    for (std::size_t i = 0; i < D; ++i)
+      reaction_[3 * static_cast<std::size_t>(body_.node_of_vertex[v]) + i] += body_.thickness * force[v][i];
 }
 
 template <int D>

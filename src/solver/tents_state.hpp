@@ -35,11 +35,13 @@ class StateFiller {
 
  private:
   void fill_nodes(discretisation::State& state, const discretisation::spacetime::Instant<D>& instant);
+  void fill_reactions(const discretisation::spacetime::Instant<D>& instant);
 
   const model::Model& model_;
   const Body& body_;
   const discretisation::spacetime::Outside<D>& outside_;
   std::vector<Vertex> vertex_;  ///< [shown] vertices whose values their nodes show, ascending
+  std::vector<char> held_;      ///< [boundary face] all its nodes are held in some direction
   std::vector<double> acceleration_, reaction_;
   std::vector<PartMotion> motion_;
   std::array<double, 3> momentum_{};

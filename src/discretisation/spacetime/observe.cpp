@@ -160,6 +160,18 @@ Exchange<D> Instant<D>::exchanged(const Outside<D>& outside) const {
 }
 
 template <int D>
+void Instant<D>::reactions(const Outside<D>& outside, std::span<const char> wanted,
+                           std::span<Vector<D>> force) const {
+  Simplex last = -1;  // faces are listed by simplex
+  for (const BoundaryFace<D>& face : body_.mesh.boundary()) {
+    if (face.simplex == last) continue;
+    last = face.simplex;
+    for (const SolvedElement<D>& element : columns_.column(face.simplex))
+      outside.reactions(face.simplex, element, time_, wanted, force);
+  }
+}
+
+template <int D>
 double Instant<D>::volume() const {
   double sum = 0.0;
   for (Simplex s = 0; s < body_.mesh.simplex_count(); ++s)

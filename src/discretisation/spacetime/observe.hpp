@@ -36,6 +36,8 @@ class Instant {
   std::vector<PartSums<D>> sums() const;
   /// All that was exchanged before. Exact on the boundary, see Outside for the dissipation.
   Exchange<D> exchanged(const Outside<D>& outside) const;
+  /// Outside::reactions() of all elements.
+  void reactions(const Outside<D>& outside, std::span<const char> wanted, std::span<Vector<D>> force) const;
   /// Total area (length, volume) of the cut; that of the body, if no element is missing.
   double volume() const;
 

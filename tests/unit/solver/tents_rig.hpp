@@ -18,7 +18,7 @@ struct Seen {
   double time;
   discretisation::Energy energy;
   base::Array<double> position, velocity;
-  std::vector<double> acceleration;
+  std::vector<double> acceleration, reaction;
   PartMotion motion;
   std::vector<Fact> facts;
   double fact(std::string_view name) const {
@@ -55,6 +55,7 @@ struct Watcher final : Observer {
                     f.state.position,
                     f.state.velocity,
                     {f.acceleration.begin(), f.acceleration.end()},
+                    {f.reaction.begin(), f.reaction.end()},
                     f.motion[0],
                     {f.facts.begin(), f.facts.end()}});
   }

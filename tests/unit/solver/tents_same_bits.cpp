@@ -214,5 +214,28 @@ TEST(TentsEnergies, WorkOfATractionIsKnownAtEveryInstant) {
   }
 }
 
+/// The same bar: the wave meets the held end at t = 1 and is doubled there; the support pulls the body back.
+TEST(TentsEnergies, ReactionOfAHeldEnd) {
+  Rig<1> rig(sample::line(8, 0.2), 1.5, 0.1);
+  rig.target = [](const BoundaryFace<1>& face) -> TargetPtr<1> {
+    if (face.normal[0] < 0.0) return make_velocity<1>({});
+    return make_traction<1>([](const Event<1>& y) { return Vector<1>{y[1]}; });
+  };
+  rig.space = {LocalSpace::trefftz, 4};
+  rig.thickness = 3.0;
+  rig.model.fixed.emplace_back();
+  rig.model.fixed[0].nodes = {0};
+  rig.model.fixed[0].directions = 1;
+  Watcher watcher;
+  auto state = rig.fresh();
+  ASSERT_TRUE(rig.run(state, watcher).status.ok);
+  for (const Seen& at : watcher.seen) {
+    EXPECT_NEAR(at.reaction[0], -3.0 * 2.0 * std::max(0.0, at.time - 1.0), 0.1)
+        << at.time;  // the kink at t = 1
+    for (std::size_t k = 1; k < at.reaction.size(); ++k) EXPECT_EQ(at.reaction[k], 0.0);
+  }
+  EXPECT_NEAR(watcher.seen.back().reaction[0], -3.0, 1e-3);
+}
+
 }  // namespace
 }  // namespace cleave::solver::test
