@@ -159,8 +159,11 @@ class Reader {
         {14, Shape::hex8, 5, {0, 1, 2, 3, 4, 4, 4, 4}},  // a pyramid: its tip four times
         {13, Shape::penta6, 6, {0, 2, 1, 3, 5, 4}},      // VTK's first triangle points out, ours in
         {10, Shape::tet4, 4, {0, 1, 2, 3}},
-        {24, Shape::tet10, 10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}};
-    for (const Shape shape : {Shape::hex8, Shape::penta6, Shape::tet4, Shape::tet10}) {
+        {24, Shape::tet10, 10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}},
+        {5, Shape::tri3, 3, {0, 1, 2}},
+        {9, Shape::quad4, 4, {0, 1, 2, 3}}};
+    for (const Shape shape :
+         {Shape::hex8, Shape::penta6, Shape::tet4, Shape::tet10, Shape::tri3, Shape::quad4}) {
       VtuFrame::Group group{shape, {}, {}};
       for (std::size_t c = 0; c < types.size(); ++c) {
         for (const Order& order : orders) {
