@@ -52,6 +52,7 @@ struct Hourglass {
   int type = 2;              ///< IHQ 1..6
   double coefficient = 0.1;  ///< QM
   double quadratic_bulk = 1.5, linear_bulk = 0.06;
+  deck::Place place{};  ///< of the coefficient in the deck
 };
 
 /// How spacetime parts are to be solved: *CONTROL_SPACETIME. Sections of parts may overrule space and degree.

@@ -1,5 +1,6 @@
 #include "discretisation/fem/hex8_one_point.hpp"
 
+#include "discretisation/fem/hourglass_limit.hpp"
 #include "discretisation/fem/hourglass_stiffness.hpp"
 #include "discretisation/fem/solid_block.hpp"
 
@@ -24,6 +25,7 @@ std::unique_ptr<Block> build(const PartElements& elements, deck::Diagnostics& di
     case 1:
     case 2:
     case 3:
+      fem::warn_of_unstable_hourglass(elements, diagnostics);
       return make(elements, fem::ViscousHourglass{control.coefficient});
     case 4:
     case 5:

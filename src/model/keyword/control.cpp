@@ -66,6 +66,7 @@ void take_hourglass(Draft& draft, const Entry& entry) {
     return draft.refuse(entry, "IHQ", "hourglass type " + std::to_string(type), "types 1 to 6 are computed");
   if (type != 0) hourglass.type = static_cast<int>(type);
   hourglass.coefficient = entry.real_or("QH", pure, 0.1);
+  hourglass.place = entry.place("QH");
 }
 
 void take_accuracy(Draft& draft, const Entry& entry) {

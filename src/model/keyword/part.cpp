@@ -70,6 +70,7 @@ void take_hourglass(Draft& draft, const Entry& entry) {
   // Blank fields must not bring in the defaults of the card table: the control cards come first.
   const auto own = [&](std::string_view field) { return entry.given(field) ? entry.real(field, pure) : 0.0; };
   h.coefficient = own("QM");
+  h.place = entry.place("QM");
   h.quadratic_bulk = own("Q1");
   h.linear_bulk = own("Q2");
   draft.hourglasses.emplace(id, h);
@@ -154,7 +155,10 @@ void finish_parts(Draft& draft) {
   for (Part& part : draft.model.parts) {
     Hourglass& h = part.hourglass;
     if (h.type == 0) h.type = control.hourglass.type;
-    if (h.coefficient == 0.0) h.coefficient = control.hourglass.coefficient;
+    if (h.coefficient == 0.0) {
+      h.coefficient = control.hourglass.coefficient;
+      h.place = control.hourglass.place;
+    }
     if (h.quadratic_bulk == 0.0) h.quadratic_bulk = control.viscosity.quadratic;
     if (h.linear_bulk == 0.0) h.linear_bulk = control.viscosity.linear;
   }

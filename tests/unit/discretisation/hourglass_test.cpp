@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "discretisation/fem/hourglass_limit.hpp"
 #include "eigenvalues.hpp"
 #include "sample.hpp"
 
@@ -106,6 +107,76 @@ TEST(Hourglass, ViscousEnergyIsTheDampedKineticEnergy) {
   EXPECT_NEAR(out.hourglass_energy, a * q * q * dt, 1e-9 * a * q * q * dt);
   // Each node is held back by a q gamma.
   EXPECT_NEAR(std::abs(body.force_at(0).z), a * q, 1e-6 * a * q);  // the geometry has moved by 1e-7
+}
+
+/// The limit is where an hourglass mode's speed is mirrored in every step: 1 - 16 QM c dt / V^(1/3) = -1 for
+/// a cube.
+TEST(Hourglass, ViscousControlGrowsAboveItsLimit) {
+  const double mass = 4.0 / 8.0, c = 0.5, safety = 0.9;  // rho 4, E 1, nu 0: c = 1/2, L = 1
+  for (const double share : {0.98, 1.02}) {
+    Sample s = box(1, 1, 1, elastic(1.0, 0.0), 4.0);
+    s.model.control.step.safety = safety;
+    const std::vector<Id> ids = s.solids().id;
+    const PartElements elements{s.model, 0, model::Shape::hex8, ids, s.solids().node};
+    const double limit = fem::viscous_hourglass_limit(elements).coefficient;
+    EXPECT_NEAR(limit, 0.125 / safety, 1e-12);
+    s.part().hourglass = {1, share * limit, 0.0, 0.0};
+    Body body(s);
+    const double dt = safety / c;
+    double speed = 1e-9;
+    const double first = speed;
+    for (int n = 0; n < 100; ++n) {
+      auto next = body.position;
+      for (std::size_t i = 0; i < 8; ++i) {
+        const double* x = &s.model.mesh.nodes.position[3 * i];
+        next[3 * i + 2] += dt * speed * (x[0] > 0.5 ? 1 : -1) * (x[1] > 0.5 ? 1 : -1);
+      }
+      body.move_nodes(dt, next, 1e-6);
+      speed += dt * body.force_at(0).z / mass;  // node 0 has the sign +
+    }
+    EXPECT_NEAR(std::abs(speed / first), std::pow(2.0 * share - 1.0, 100),
+                1e-2 * std::pow(2.0 * share - 1.0, 100));
+  }
+}
+
+TEST(Hourglass, ViscousControlIsWarnedOfByName) {
+  const auto warnings = [](double coefficient, int type, double safety,
+                           const std::function<Point(Point)>& shape) {
+    Sample s = box(2, 1, 1, elastic(), 1.0, shape);
+    s.model.control.step.safety = safety;
+    s.part().hourglass = {type, coefficient, 0.0, 0.0};
+    deck::Diagnostics diagnostics;
+    const PartElements elements{s.model, 0, model::Shape::hex8, s.solids().id, s.solids().node};
+    find_formulation("SOLID", 1, model::Shape::hex8)->build(elements, diagnostics);
+    return diagnostics.all();
+  };
+  const auto cubes = [](Point x) { return Point{2.0 * x.x, x.y, x.z}; };
+  for (const int type : {1, 2, 3}) {
+    EXPECT_TRUE(warnings(0.138, type, 0.9, cubes).empty());
+    const auto said = warnings(0.14, type, 0.9, cubes);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0].severity, deck::Severity::warning);
+    EXPECT_EQ(said[0].field, "QM");
+    EXPECT_NE(said[0].message.find("0.139"), std::string::npos) << said[0].message;
+  }
+  EXPECT_TRUE(warnings(0.2, 1, 0.6, cubes).empty());  // 0.208
+  EXPECT_TRUE(warnings(0.2, 4, 0.9, cubes).empty());
+  // Bricks of 1 x 1 x 1/8: V^(1/3) = 1/2, L = 1/8, so four times as much.
+  const auto flat = [](Point x) { return Point{2.0 * x.x, x.y, 0.125 * x.z}; };
+  EXPECT_TRUE(warnings(0.55, 1, 0.9, flat).empty());
+  EXPECT_EQ(warnings(0.56, 1, 0.9, flat).size(), 1u);
+}
+
+/// A small brick sets the step of the part; the large one bears more.
+TEST(Hourglass, ViscousLimitFollowsTheSmallestElement) {
+  Sample s = box(2, 1, 1, elastic(), 1.0, [](Point x) {
+    return Point{x.x < 0.75 ? 0.4 * x.x : 1.2, x.y, x.z};
+  });
+  s.model.control.step.safety = 1.0;
+  const PartElements elements{s.model, 0, model::Shape::hex8, s.solids().id, s.solids().node};
+  const auto limit = fem::viscous_hourglass_limit(elements);
+  EXPECT_EQ(limit.element, 1);
+  EXPECT_NEAR(limit.coefficient, std::cbrt(0.2) / (8.0 * 0.2), 1e-12);
 }
 
 TEST(Hourglass, TenTurnsLeaveHourglassForcesIntact) {

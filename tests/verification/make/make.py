@@ -424,10 +424,10 @@ def cook_nodal_pressure():
     return cook("cook_nodal_pressure", 13, lambda m: tetrahedra(mirrored(m)), 16, 7.695e-3, 0.06)
 
 
-def bending_beam(name, form, split, cells, tolerance):
-    """Catalogue B01 in plane strain with nu = 0.4999: a cantilever under a parabolic end shear, clamped with the exact
+def bending_beam(name, form, split, cells, tolerance, poisson=0.4999):
+    """Catalogue B01 in plane strain: a cantilever under a parabolic end shear, clamped with the exact
     displacements, so that the exact solution holds everywhere."""
-    length, depth, load, young, poisson = 48.0, 12.0, 1000.0, 3.0e7, 0.4999
+    length, depth, load, young = 48.0, 12.0, 1000.0, 3.0e7
     modulus, ratio = young / (1 - poisson ** 2), poisson / (1 - poisson)    # plane strain as plane stress
     inertia, half = depth ** 3 / 12, depth / 2
     tip = load / (6 * modulus * inertia) * ((4 + 5 * ratio) * depth ** 2 * length / 4 + 2 * length ** 3)
@@ -673,14 +673,16 @@ D08 = {  # name: metal, length, diameter, speed [m/s], reference code: length, f
 
 
 def taylor_d08(name):
-    """Catalogue D08: code against code within 1.5 % of the length and 4 % of the diameter (twice that at this
-    size), and the measured bar within 8 % and 15 %."""
+    """Catalogue D08: code against code within 1.5 % of the length (and a twentieth of the shortening) and 4 % of
+    the diameter, the measured bar within 8 % and 15 %."""
     metal, length, diameter, speed, code, measured = D08[name]
     deck = Deck(name, f"Taylor test, {metal.replace('_', ' ')}, {speed:g} m/s")
     deck.says("case", f"Johnson-Cook Taylor bar, {metal.replace('_', ' ')}, {speed:g} m/s")
     deck.says("source", "Johnson & Cook 1983 (measured) and an axisymmetric B-bar code with their constants; catalogue D08")
-    for words, (final, foot), (of_length, of_foot) in (("code", code, (0.03, 0.08)), ("measured", measured, (0.08, 0.15))):
-        deck.says("expect", f"summary parts.0.final.length.2  {final}  rel={of_length} (model: {words}, final length)")
+    for words, (final, foot), (of_length, of_foot, of_change) in (("code", code, (0.015, 0.04, 0.05)),
+                                                                  ("measured", measured, (0.08, 0.15, 1.0))):
+        allowed = min(of_length * final, of_change * (length - final))
+        deck.says("expect", f"summary parts.0.final.length.2  {final}  abs={allowed:.3f} (model: {words}, final length)")
         deck.says("expect", f"summary parts.0.final.length.0  {foot / 2}  rel={of_foot} (model: {words}, foot radius)")
     deck.says("expect", "energy_ratio range 0.0 abs=0.01 (order)")
     layers = 32 if length > 10 else 12
@@ -698,12 +700,15 @@ WILKINS = {169: 21.59, 262: 19.81, 306: 18.40, 373: 16.50, 478: 13.19}   # 6061-
 
 def taylor_6061(speed):
     """Catalogue D08, 6061-T6: perfectly plastic at 420 MPa, against the bars. (The fit quoted there with this
-    strength lies up to 3.6 % below the bars themselves at the highest speeds, so it does not gate.)"""
+    strength lies up to 3.6 % below the bars themselves at the highest speeds, so it does not gate.)
+
+    The tolerance is a tenth of the shortening: of the length, 8 % would pass a bar that hardly deforms."""
     length, diameter, strength, density = 23.47, 7.62, 420.0, 2.70e-9
     deck = Deck(f"taylor_6061_{speed}", f"Taylor test, 6061-T6, {speed} m/s")
     deck.says("case", f"perfectly plastic Taylor bar, 6061-T6, {speed} m/s")
     deck.says("source", "Wilkins & Guinan 1973: measured lengths, strength 420 MPa; catalogue D08")
-    deck.says("expect", f"summary parts.0.final.length.2  {WILKINS[speed]}  rel=0.08 (model: measured)")
+    deck.says("expect", f"summary parts.0.final.length.2  {WILKINS[speed]}  abs={0.1 * (length - WILKINS[speed]):.3f} "
+              "(model: measured; a tenth of the shortening)")
     deck.says("expect", "energy_ratio range 0.0 abs=0.01 (order)")
 
     def material(d):
@@ -722,7 +727,8 @@ def taylor_copper_long(speed, measured):
     deck = Deck(f"taylor_copper_{speed}", f"Taylor test, copper, {speed} m/s")
     deck.says("case", f"Johnson-Cook Taylor bar, copper, {speed} m/s")
     deck.says("source", "Wilkins & Guinan 1973 (measured); catalogue D08")
-    deck.says("expect", f"summary parts.0.final.length.2  {measured}  rel=0.08 (model: measured)")
+    deck.says("expect", f"summary parts.0.final.length.2  {measured}  abs={0.1 * (length - measured):.3f} "
+              "(model: measured; a tenth of the shortening)")
     deck.says("expect", "energy_ratio range 0.0 abs=0.01 (order)")
     return taylor(deck, speed * 1000.0, 80e-6, quarter_cylinder(3, 2, 28, diameter / 2, length), 1, 3,
                   johnson_cook("copper"))

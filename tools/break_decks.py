@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Shows that the self-checking decks can fail: changes one value of each, runs it, and expects a failed check.
+
+usage: break_decks.py CLEAVE [NAME...]      (default: all; prints the table of docs/verification-decks.md)
+
+Ends with status 1 if a changed deck still passes. Takes about ten minutes; nothing runs it by itself.
+"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests"))
+import run_decks  # noqa: E402
+
+# deck: changes; a change is (words, keyword, row after it, column, factor or "=VALUE" [, deck to change instead]),
+# or (words, lines to insert). Columns are 10 wide, 20 where the keyword ends in +.
+DENSITY, YOUNG, POISSON = 1, 2, 3
+SAFETY = ("*CONTROL_TIMESTEP", 0, 1)
+MOTION = [("one velocity of one node", "*BOUNDARY_PRESCRIBED_MOTION_NODE+", 3, 4, 1.2)]
+CYLINDER = [("PR", "*MAT_ELASTIC", 0, POISSON, 0.8)]
+E_OF = lambda factor: ("E", "*MAT_ELASTIC", 0, YOUNG, factor)
+LOAD_CURVE = lambda factor: ("load", "*LOAD_SEGMENT_SET", 0, 2, factor)
+YIELD = ("SIGY", "*MAT_PLASTIC_KINEMATIC", 0, 4)
+SPEED = ("speed", "*INITIAL_VELOCITY", 1, 2)
+CHANGES = {
+    "bar_rebound": [E_OF(1.2)],
+    "bending_beam_nodal_pressure": [E_OF(0.8)],
+    "bending_beam_selective": [E_OF(0.8)],
+    "cantilever_vibration": [E_OF(1.2)],
+    "collapsing_shell": [YIELD + (1.2,)],
+    "cook_nodal_pressure": [E_OF(0.8)],
+    "cook_selective": [E_OF(0.8)],
+    **{f"patch_{name}": MOTION for name in ("hex_one_point_bindeman", "hex_one_point_flanagan", "hex_one_point_viscous",
+                                            "hex_selective", "tet", "tet_nodal_pressure", "tet_quadratic", "wedge")},
+    "plastic_wave": [("ETAN", "*MAT_PLASTIC_KINEMATIC", 0, 5, 1.2), YIELD + (1.2,)],
+    "pressure_bath": [LOAD_CURVE(1.2), ("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],
+    "simple_shear": [("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],
+    "standing_wave_8": [E_OF(1.2) + ("standing_wave_32",)],
+    "thick_cylinder_030": CYLINDER,
+    "thick_cylinder_0499": CYLINDER,
+    "thick_cylinder_04999": CYLINDER,
+    "tube_inflation": [("B", "*MAT_MOONEY-RIVLIN_RUBBER", 0, 4, 1.2)],
+    "tumbling": [("damping of 1e-9 added", "*DAMPING_GLOBAL\n         0      1e-9"),
+                 ("TSSFAC",) + SAFETY + (1.2,)],
+    "wave_exact": [("TSSFAC",) + SAFETY + (0.8,)],
+    **{f"taylor_{name}": [YIELD + (1.2,), SPEED + (1.2,)] for name in (
+        "6061_169", "6061_262", "6061_306", "6061_373", "6061_478", "nodal_pressure", "one_point", "selective")},
+    **{f"taylor_{name}": [("A", "*MAT_JOHNSON_COOK", 1, 0, 1.2), ("B", "*MAT_JOHNSON_COOK", 1, 1, 1.2), SPEED + (1.2,)]
+       for name in ("4340_343", "copper_130", "copper_190")},
+    "taylor_4340_208": [("A", "*MAT_JOHNSON_COOK", 1, 0, 1.2), SPEED + (1.2,)],
+    # Measured lengths only: A or B alone, 20 % off, stays within the tenth of the shortening.
+    "taylor_copper_123": [SPEED + (1.2,)],
+    "taylor_copper_183": [SPEED + (1.2,)],
+}
+
+
+def changed(text, change):
+    """The deck with one field changed, and 'from -> to'."""
+    words, keyword, *rest = change
+    lines = text.split("\n")
+    if not rest:
+        at = max(i for i, line in enumerate(lines) if line.strip().upper() == "*END")
+        return "\n".join(lines[:at] + keyword.split("\n") + lines[at:]), words
+    row, column, how = rest[:3]
+    at = lines.index(keyword) + 1 + row
+    width = 20 if keyword.endswith("+") else 10
+    part = slice(column * width, (column + 1) * width)
+    old = float(lines[at][part])
+    new = float(how[1:]) if isinstance(how, str) else old * how
+    if new == old:
+        sys.exit(f"{words}: {old} stays as it is")
+    field = f"{new:.5g}" if width == 10 else f"{new:.12g}"
+    lines[at] = lines[at][:part.start].ljust(part.start) + field.rjust(width) + lines[at][part.stop:]
+    return "\n".join(lines), f"{words} {old:.4g} -> {float(field):.4g}"
+
+
+def broken(program, deck, change):
+    """(what was changed, checks that failed, checks in all) of one changed deck."""
+    with tempfile.TemporaryDirectory() as folder:
+        for other in deck.parent.glob("standing_wave_*.k" if "standing" in deck.stem else deck.name):
+            (Path(folder) / other.name).write_text(other.read_text())
+        where = Path(folder) / (change[5] + ".k" if len(change) > 5 else deck.name)
+        text, words = changed(where.read_text(), change)
+        where.write_text(text)
+        words += f" in {change[5]}" if len(change) > 5 else ""
+        first = Path(folder) / deck.name  # one variation is enough
+        first.write_text(re.sub(r"(?m)^\$@ vary.*\n", "", first.read_text()))
+        done = subprocess.run([sys.executable, "-c", f"import sys; sys.path.insert(0, {str(ROOT / 'tests')!r}); "
+                               "import run_decks; run_decks.LIMIT_S = 400; sys.exit(run_decks.main(sys.argv[1:]))",
+                               program, first], capture_output=True, text=True)
+    failed = [line.split("FAIL", 1)[1].strip() for line in done.stdout.splitlines() if "  FAIL" in line]
+    return words, failed, done.stdout.count("\n  ok ") + len(failed)
+
+
+def compact(line):
+    """The check that failed, with seven digits."""
+    line = re.sub(r", off by.*|^\w+: ", "", line).rstrip(":")
+    return re.sub(r"-?\d+\.\d{4,}(e[-+]\d+)?", lambda m: f"{float(m[0]):.7g}", line)
+
+
+def main(program, names):
+    good = True
+    print("| deck | changed | checks that fail | the first of them |\n|---|---|---|---|")
+    for name in names or CHANGES:
+        deck = ROOT / "tests" / ("validation" if name.startswith("taylor") else "verification") / (name + ".k")
+        for change in CHANGES[name]:
+            words, failed, count = broken(program, deck, change)
+            good = good and bool(failed)
+            first = compact(failed[0]) if failed else "**none**"
+            print(f"| `{name}` | {words} | {len(failed)} of {count} | {first} |", flush=True)
+    missing = {p.stem for f in ("verification", "validation") for p in (ROOT / "tests" / f).glob("*.k")
+               if "$@ case" in p.read_text()} - set(CHANGES)
+    if missing:
+        sys.exit(f"no change is stated for {', '.join(sorted(missing))}")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    sys.exit(main(str(Path(sys.argv[1]).resolve()), sys.argv[2:]))
