@@ -38,6 +38,10 @@ CHANGES = {
     "plastic_wave": [("ETAN", "*MAT_PLASTIC_KINEMATIC", 0, 5, 1.2), YIELD + (1.2,)],
     "pressure_bath": [LOAD_CURVE(1.2), ("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],
     "simple_shear": [("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],
+    "spacetime_bar_8": [E_OF(1.2) + ("spacetime_bar_32",)],
+    "spacetime_block": [E_OF(1.2)],
+    "spacetime_shear": [E_OF(1.2)],
+    "spacetime_strip": [E_OF(1.2)],
     "standing_wave_8": [E_OF(1.2) + ("standing_wave_32",)],
     "thick_cylinder_030": CYLINDER,
     "thick_cylinder_0499": CYLINDER,
@@ -80,8 +84,9 @@ def changed(text, change):
 def broken(program, deck, change):
     """(what was changed, checks that failed, checks in all) of one changed deck."""
     with tempfile.TemporaryDirectory() as folder:
-        for other in deck.parent.glob("standing_wave_*.k" if "standing" in deck.stem else deck.name):
-            (Path(folder) / other.name).write_text(other.read_text())
+        finer = [name for names in re.findall(r" with=(\S+)", deck.read_text()) for name in names.split(",")]
+        for name in (deck.name, *finer):
+            (Path(folder) / name).write_text((deck.parent / name).read_text())
         where = Path(folder) / (change[5] + ".k" if len(change) > 5 else deck.name)
         text, words = changed(where.read_text(), change)
         where.write_text(text)
