@@ -5,7 +5,7 @@ usage: make_element_figures.py CLEAVE [FOLDER]      (default folder: docs/figure
 name single figures)
 
 The beam (Timoshenko & Goodier, article 21; plane strain, nu = 0.3) is clamped with the exact displacements, so its tip
-must converge with the square of the cell size at least. Cook's membrane (nu = 0.4999; 7.695 per unit load, order 4
+must converge, about with the square of the cell size. Cook's membrane (nu = 0.4999; 7.695 per unit load, order 4
 spectral elements) shows who locks. hourglass.svg is the cantilever of tests/verification with one-point hexahedra and each type of control.
 Fails where a result is not what docs/formulations says of it.
 """
@@ -159,13 +159,14 @@ def panel(left, width, title, across, up, curves, named_x=None, logarithmic=Fals
     x0, x1, y0, y1 = fx(min(tx)) - margin, fx(max(tx)) + margin, scale(ty[0]), scale(ty[-1])
     px = lambda x: left + (fx(x) - x0) / (x1 - x0) * width
     py = lambda y: height - bottom - (scale(y) - y0) / (y1 - y0) * (height - bottom - top)
+    short = lambda y: f"1e{round(math.log10(y))}" if logarithmic and y < 0.005 else f"{y:g}"
     out = [f'<text x="{left}" y="48" font-weight="bold">{title}</text>']
     for x in tx:
         out.append(f'<path d="M{px(x):.1f} {py(ty[0]):.1f}V{py(ty[-1]):.1f}" stroke="#ddd"/>'
                    f'<text x="{px(x):.1f}" y="{height - bottom + 16}" text-anchor="middle">{x:g}</text>')
     for y in ty:
         out.append(f'<path d="M{left} {py(y):.1f}H{left + width}" stroke="#ddd"/>'
-                   f'<text x="{left - 5}" y="{py(y) + 4:.1f}" text-anchor="end">{y:g}</text>')
+                   f'<text x="{left - 5}" y="{py(y) + 4:.1f}" text-anchor="end">{short(y)}</text>')
     out.append(f'<text x="{left + width / 2}" y="{height - 10}" text-anchor="middle">{across}</text>'
                f'<text transform="translate({left - 44} {(height - bottom + top) / 2}) rotate(-90)" text-anchor="middle">{up}</text>')
     for number, (label, line, style) in enumerate(curves):
