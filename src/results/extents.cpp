@@ -9,9 +9,22 @@
 namespace cleave::results {
 namespace {
 
+/// As each_node(), for models whose elements are in no blocks but in spacetime: all that the deck has.
+template <class Visit>
+void each_node_of_mesh(const model::Mesh& mesh, const Visit& visit) {
+  for (const auto* groups : {&mesh.beams, &mesh.shells, &mesh.solids})
+    for (const model::Elements& group : *groups) {
+      const auto nodes = static_cast<std::size_t>(model::nodes_of(group.shape));
+      for (std::size_t k = 0; k < group.node.size(); ++k)
+        visit(static_cast<std::size_t>(group.part[k / nodes]), static_cast<std::size_t>(group.node[k]),
+              k % nodes == 0);
+    }
+}
+
 /// Visits every node of every element of a part that counts (nodes come once per element).
 template <class Visit>
 void each_node(const discretisation::World& world, const discretisation::State* state, const Visit& visit) {
+  if (world.blocks.empty()) return each_node_of_mesh(world.model->mesh, visit);
   for (std::size_t b = 0; b < world.blocks.size(); ++b) {
     const discretisation::Block& block = *world.blocks[b];
     const std::size_t count = block.element_ids().size();

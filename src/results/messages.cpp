@@ -29,8 +29,10 @@ class Messages final : public Writer {
                   context_.model.title.c_str(), context_.options.version.c_str(), today().c_str());
     append_format(head, " deck      %s\n threads   %d\n nodes     %zu\n", context_.options.deck.c_str(),
                   base::thread_count(), context_.model.mesh.nodes.count());
-    for (const model::Elements& solids : context_.model.mesh.solids)
-      append_format(head, " %-9s %zu\n", std::string(model::name_of(solids.shape)).c_str(), solids.count());
+    const model::Mesh& mesh = context_.model.mesh;
+    for (const auto* groups : {&mesh.beams, &mesh.shells, &mesh.solids})
+      for (const model::Elements& group : *groups)
+        append_format(head, " %-9s %zu\n", std::string(model::name_of(group.shape)).c_str(), group.count());
     for (const auto& block : now.frame().world.blocks)
       append_format(head, " part %lld: %zu elements, %s\n",
                     static_cast<long long>(context_.model.parts[static_cast<std::size_t>(block->part())].id),

@@ -83,10 +83,11 @@ std::string Summary::json(const solver::Outcome& outcome) const {
 
   Json counts = {{"nodes", model.mesh.nodes.count()}};
   std::size_t elements = 0, alive = 0;
-  for (const model::Elements& solids : model.mesh.solids) {
-    counts[std::string(model::name_of(solids.shape))] = solids.count();
-    elements += solids.count();
-  }
+  for (const auto* groups : {&model.mesh.beams, &model.mesh.shells, &model.mesh.solids})
+    for (const model::Elements& group : *groups) {
+      counts[std::string(model::name_of(group.shape))] = group.count();
+      elements += group.count();
+    }
   for (const PartFacts& part : parts_) alive += part.after.elements;
   counts["elements"] = elements;
   counts["parts"] = model.parts.size();

@@ -11,14 +11,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 
 #include "base/assert.hpp"
 #include "base/threads.hpp"
-#include "discretisation/spacetime/scheduler.hpp"
 #include "solver/tents_album.hpp"
 #include "solver/tents_cells.hpp"
 #include "solver/tents_instants.hpp"
+#include "solver/tents_patches.hpp"
 #include "solver/tents_state.hpp"
 #include "solver/termination.hpp"
 
@@ -30,42 +29,12 @@ using discretisation::State;
 using discretisation::StepStatus;
 using Clock = std::chrono::steady_clock;
 
-constexpr double momentum_tolerance = 1e-11;  ///< of the largest flux of the patch
-constexpr double energy_tolerance = 1e-9;     ///< of the largest energy of the patch
-constexpr double volume_tolerance = 1e-11;    ///< of body times duration
+constexpr double volume_tolerance = 1e-11;  ///< of body times duration
 const char* const memory_name = "spacetime";
 
 double seconds(Clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
-
-/// What many patches came to; the same for any number of threads but for the seconds.
-struct Tally {
-  std::int64_t patches = 0, elements = 0, unknowns = 0;
-  double worst_momentum = 0.0, worst_energy = 0.0;
-  double solving = 0.0, checking = 0.0;  ///< [s] of one thread
-
-  void add(const Tally& other) {
-    patches += other.patches;
-    elements += other.elements;
-    unknowns += other.unknowns;
-    worst_momentum = std::max(worst_momentum, other.worst_momentum);
-    worst_energy = std::max(worst_energy, other.worst_energy);
-    solving += other.solving;
-    checking += other.checking;
-  }
-};
-
-/// Scratch of one thread while it solves patches.
-template <int D>
-struct Worker {
-  PatchSolver<D> solver;
-  std::vector<const Solution<D>*> older;
-  std::vector<Solution<D>> solution;
-  Verify verify;
-  Tally tally;
-  explicit Worker(const Problem<D>& problem) : solver(problem) {}
-};
 
 template <int D>
 class Tents final : public Solver, private CellSource {
@@ -80,6 +49,7 @@ class Tents final : public Solver, private CellSource {
         pauses_(pauses(instants_, wave_time())),
         outside_(*body_),
         columns_(*body_, instants_),
+        patches_(*body_, outside_, columns_),
         filler_(model_, *body_, outside_),
         album_(options.tents),
         verify_(body_->verify) {}
@@ -159,19 +129,13 @@ class Tents final : public Solver, private CellSource {
     FrontStatus moved;
     const std::size_t group = *std::lower_bound(pauses_.begin(), pauses_.end(), written_);
     if (passed(instants_[group])) return moved;
-    const Scheduler<D> scheduler(pitcher_, {.verify = verify_});
-    moved = scheduler_advance(scheduler, {.at = instants_[group], .stop = &wishes.stop});
-    for (const auto& worker : workers_) {
-      tally_.add(worker->tally);
-      worker->tally = {};
-    }
+    Scheduler<D> scheduler(pitcher_, {.verify = verify_});
+    moved = scheduler.advance(front_, body_->end_time, [this](const Patch<D>& patch) { return solve(patch); },
+                              nullptr, {.at = instants_[group], .stop = &wishes.stop});
+    tally_.add(patches_.take());
     slowed_ += static_cast<std::int64_t>(moved.slowed.size());
     book(front_seconds_);
     return moved;
-  }
-  FrontStatus scheduler_advance(Scheduler<D> scheduler, const Pause& pause) {
-    return scheduler.advance(
-        front_, body_->end_time, [this](const Patch<D>& patch) { return solve(patch); }, nullptr, pause);
   }
 
   bool passed(double instant) const {
@@ -230,68 +194,9 @@ class Tents final : public Solver, private CellSource {
   }
 
   Verdict solve(const Patch<D>& patch) {
-    const auto started = Clock::now();
-    Worker<D>& w = *take_worker();
-    const std::size_t count = patch.elements.size();
-    if (w.solution.size() < count) w.solution.resize(count);
-    const std::span<Solution<D>> out(w.solution.data(), count);
-    w.older.assign(patch.facets.size(), nullptr);
-    for (std::size_t f = 0; f < patch.facets.size(); ++f)
-      if (patch.facets[f].kind == FacetKind::inflow)
-        w.older[f] =
-            columns_.under(patch.elements[static_cast<std::size_t>(patch.facets[f].element)].simplex);
-    const PatchStatus status = w.solver.solve(patch, w.older, out);
-    const auto solved = Clock::now();
-    w.tally.solving += seconds(solved - started);
-    Verdict verdict = verdict_of(status);
-    if (verdict.kind == Verdict::accept && verify_) {
-      w.solver.verify(patch, w.older, out, w.verify);
-      w.tally.worst_momentum = std::max(w.tally.worst_momentum, w.verify.momentum);
-      w.tally.worst_energy = std::max(w.tally.worst_energy, w.verify.energy);
-      if (!(w.verify.momentum <= momentum_tolerance))
-        verdict = broken(patch, "momentum is not balanced", w.verify.momentum, momentum_tolerance);
-      else if (!(w.verify.energy <= energy_tolerance))
-        verdict = broken(patch, "the energy identity does not hold", w.verify.energy, energy_tolerance);
-      w.tally.checking += seconds(Clock::now() - solved);
-    }
-    if (verdict.kind == Verdict::accept) {
-      columns_.commit(patch, out);
-      for (std::size_t e = 0; e < count; ++e) {
-        SolvedElement<D>& element = columns_.last(patch.elements[e].simplex);
-        if (verify_) element.exchange.dissipation = w.verify.element_dissipation[e];
-        element.exchange = outside_.before(patch.elements[e].simplex, element, never);
-      }
-      album_.add(pitcher_.key(front_, patch.pole), patch);
-      ++w.tally.patches;
-      w.tally.elements += static_cast<std::int64_t>(count);
-      w.tally.unknowns += w.solver.unknowns();
-    }
-    give_worker(&w);
+    Verdict verdict = patches_.solve(patch, verify_);
+    if (verdict.kind == Verdict::accept) album_.add(pitcher_.key(front_, patch.pole), patch);
     return verdict;
-  }
-
-  Verdict verdict_of(PatchStatus status) const {
-    switch (status) {
-      case PatchStatus::solved:
-        return {};
-      case PatchStatus::degenerate:
-        return {Verdict::fail, 0.5, "a spacetime element has no volume"};
-      case PatchStatus::singular:
-        return {Verdict::lower, 0.9, "the patch is singular: a facet lies on the characteristic cone"};
-      case PatchStatus::tilted_interface:  // the next try stands upright
-        return {Verdict::lower, 0.99, "a facet between two materials is not vertical"};
-      case PatchStatus::not_converged:
-        return {Verdict::lower, 0.5, "the laws on the facets of a patch did not converge"};
-    }
-    return {Verdict::fail, 0.5, "the patch was not solved"};
-  }
-  Verdict broken(const Patch<D>& patch, std::string what, double value, double limit) const {
-    char numbers[96];
-    std::snprintf(numbers, sizeof numbers, ": relative residual %.3g, limit %.3g", value, limit);
-    what += numbers;
-    what += " in the patch of element " +
-            std::to_string(body_->element_of_simplex[static_cast<std::size_t>(patch.elements[0].simplex)]);
-    return {Verdict::fail, 0.5, what};
   }
 
   StepStatus failure(const FrontStatus& moved) const {
@@ -306,21 +211,6 @@ class Tents final : public Solver, private CellSource {
             where + moved.what,
             "the front and the solution below it are in the restart file; *CONTROL_SPACETIME EPS and CHI "
             "change the tents"};
-  }
-
-  Worker<D>* take_worker() {
-    const std::lock_guard lock(mutex_);
-    if (idle_.empty()) {
-      workers_.push_back(std::make_unique<Worker<D>>(body_->problem));
-      idle_.push_back(workers_.back().get());
-    }
-    Worker<D>* worker = idle_.back();
-    idle_.pop_back();
-    return worker;
-  }
-  void give_worker(Worker<D>* worker) {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(worker);
   }
 
   /// The front, the columns and the counts as the memory of a state.
@@ -408,7 +298,8 @@ class Tents final : public Solver, private CellSource {
     out.phases.push_back({"front", std::max(0.0, front_seconds_ - solving - checking)});
     out.phases.push_back({"cuts", cutting_});
     out.phases.push_back({"output", output_});
-    out.facts = {{"patches", static_cast<double>(tally_.patches)},
+    out.facts = {{"simplices", static_cast<double>(body_->mesh.simplex_count())},
+                 {"patches", static_cast<double>(tally_.patches)},
                  {"patches_per_second", static_cast<double>(tally_.patches) / front_seconds_},
                  {"unknowns_per_second", static_cast<double>(tally_.unknowns) / front_seconds_},
                  {"slow_tents", static_cast<double>(slowed_)}};
@@ -417,7 +308,6 @@ class Tents final : public Solver, private CellSource {
     return out;
   }
 
-  static constexpr double never = std::numeric_limits<double>::infinity();
   const discretisation::World& world_;
   const model::Model& model_;
   const std::unique_ptr<const Body<D>> body_;
@@ -429,6 +319,7 @@ class Tents final : public Solver, private CellSource {
 
   Front<D> front_;
   Columns<D> columns_;
+  PatchRunner<D> patches_;
   StateFiller<D> filler_;
   std::size_t written_ = 0;  ///< instants
   double time_ = 0.0;        ///< of the instant written last
@@ -438,9 +329,6 @@ class Tents final : public Solver, private CellSource {
   std::int64_t slowed_ = 0;
   std::vector<Fact> facts_;
 
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Worker<D>>> workers_;
-  std::vector<Worker<D>*> idle_;
   Clock::time_point lap_;
   double front_seconds_ = 0.0, cutting_ = 0.0, output_ = 0.0;
 };
