@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deck/diagnostic.hpp"
+#include "model/contact.hpp"
 #include "model/mesh.hpp"
 
 namespace cleave::model {
@@ -43,7 +44,7 @@ struct BulkViscosity {
 struct EnergyControl {     ///< *CONTROL_ENERGY with the established meaning 1 = off, 2 = on
   bool hourglass = false;  ///< HGEN == 2: compute and add hourglass energy to the balance
   bool wall = true;        ///< RWEN == 2
-  bool sliding = false;    ///< SLNTEN == 2
+  bool sliding = true;     ///< SLNTEN == 2, the default where there is contact
   bool damping = false;    ///< RYLEN == 2
 };
 
@@ -85,6 +86,7 @@ struct Control {
   Hourglass hourglass;               ///< default for parts without their own
   int invariant_node_numbering = 1;  ///< *CONTROL_ACCURACY INN, 1 none
   SpacetimeControl spacetime;
+  ContactControl contact;
   int solid_sort = 0;  ///< *CONTROL_SOLID ESORT: 1 wedges in a part of tetrahedra take ELFORM 15
 };
 

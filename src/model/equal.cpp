@@ -129,6 +129,22 @@ bool same(const RigidWall& a, const RigidWall& b) {
          a.mass == b.mass && a.speed == b.speed && a.birth == b.birth && a.death == b.death &&
          a.soft_cycles == b.soft_cycles;
 }
+bool same(const ContactSide& a, const ContactSide& b) {
+  return a.type == b.type && a.id == b.id && a.parts == b.parts && same(a.segments, b.segments) &&
+         a.nodes == b.nodes;
+}
+bool same(const Contact& a, const Contact& b) {
+  return a.keyword == b.keyword && a.id == b.id && a.named == b.named && a.title == b.title &&
+         a.search == b.search && a.automatic == b.automatic && a.eroding == b.eroding && a.tied == b.tied &&
+         a.offset == b.offset && same(a.a, b.a) && same(a.b, b.b) && a.static_friction == b.static_friction &&
+         a.dynamic_friction == b.dynamic_friction && a.friction_decay == b.friction_decay &&
+         a.viscous_limit == b.viscous_limit && a.damping == b.damping && a.birth == b.birth &&
+         a.death == b.death && a.scale_a == b.scale_a && a.scale_b == b.scale_b && a.soft == b.soft &&
+         a.soft_scale == b.soft_scale && a.extension == b.extension && a.ignore == b.ignore;
+}
+bool same(const ContactControl& a, const ContactControl& b) {
+  return a.stiffness == b.stiffness && a.penalty == b.penalty && a.orient == b.orient && a.ignore == b.ignore;
+}
 bool same(const AbsorbingFaces& a, const AbsorbingFaces& b) {
   return same(a.segments, b.segments) && a.dilatational == b.dilatational && a.shear == b.shear;
 }
@@ -205,6 +221,7 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE_LIST(segment_loads)
   CLEAVE_COMPARE_LIST(body_loads)
   CLEAVE_COMPARE_LIST(walls)
+  CLEAVE_COMPARE_LIST(contacts)
   CLEAVE_COMPARE_LIST(absorbing)
   CLEAVE_COMPARE_LIST(precracks)
   CLEAVE_COMPARE_LIST(point_masses)
@@ -216,6 +233,7 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE(control.energy)
   CLEAVE_COMPARE(control.hourglass)
   CLEAVE_COMPARE(control.invariant_node_numbering)
+  CLEAVE_COMPARE(control.contact)
   CLEAVE_COMPARE(control.solid_sort)
   CLEAVE_COMPARE(control.spacetime)
   CLEAVE_COMPARE(requests.title)
@@ -226,6 +244,9 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE(requests.elout)
   CLEAVE_COMPARE(requests.rwforc)
   CLEAVE_COMPARE(requests.spcforc)
+  CLEAVE_COMPARE(requests.rcforc)
+  CLEAVE_COMPARE(requests.sleout)
+  CLEAVE_COMPARE(requests.ncforc)
   CLEAVE_COMPARE(requests.restart_cycles)
   CLEAVE_COMPARE(requests.running_restart_cycles)
   CLEAVE_COMPARE_LIST(requests.history_nodes)

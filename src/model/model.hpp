@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deck/deck.hpp"
+#include "model/contact.hpp"
 #include "model/control.hpp"
 #include "model/curve.hpp"
 #include "model/load.hpp"
@@ -39,6 +40,7 @@ struct Model {
   std::vector<SegmentLoad> segment_loads;
   std::vector<BodyLoad> body_loads;
   std::vector<RigidWall> walls;
+  std::vector<Contact> contacts;
   std::vector<AbsorbingFaces> absorbing;
   std::vector<Precrack> precracks;
   std::vector<PointMass> point_masses;

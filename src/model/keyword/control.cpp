@@ -55,7 +55,7 @@ void take_energy(Draft& draft, const Entry& entry) {
   EnergyControl& energy = draft.model.control.energy;
   energy.hourglass = switched_on(draft, entry, "HGEN", false);
   energy.wall = switched_on(draft, entry, "RWEN", true);
-  energy.sliding = switched_on(draft, entry, "SLNTEN", false);
+  energy.sliding = switched_on(draft, entry, "SLNTEN", true);
   energy.damping = switched_on(draft, entry, "RYLEN", false);
 }
 

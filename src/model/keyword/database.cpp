@@ -12,7 +12,8 @@ void take_history_file(Draft& draft, const Entry& entry) {
   Requests& r = draft.model.requests;
   const std::pair<std::string_view, Interval*> files[] = {
       {"DATABASE_GLSTAT", &r.glstat}, {"DATABASE_MATSUM", &r.matsum}, {"DATABASE_NODOUT", &r.nodout},
-      {"DATABASE_ELOUT", &r.elout},   {"DATABASE_RWFORC", &r.rwforc}, {"DATABASE_SPCFORC", &r.spcforc}};
+      {"DATABASE_ELOUT", &r.elout},   {"DATABASE_RWFORC", &r.rwforc}, {"DATABASE_SPCFORC", &r.spcforc},
+      {"DATABASE_RCFORC", &r.rcforc}, {"DATABASE_SLEOUT", &r.sleout}, {"DATABASE_NCFORC", &r.ncforc}};
   for (const auto& [keyword, interval] : files) {
     if (keyword != entry.keyword()) continue;
     interval->every = entry.real("DT", a_time);
@@ -131,6 +132,9 @@ constexpr Handler handlers[] = {
     {"DATABASE_ELOUT", Phase::action, interval, form, take_history_file},
     {"DATABASE_RWFORC", Phase::action, interval, form, take_history_file},
     {"DATABASE_SPCFORC", Phase::action, interval, form, take_history_file},
+    {"DATABASE_RCFORC", Phase::action, interval, form, take_history_file},
+    {"DATABASE_SLEOUT", Phase::action, interval, form, take_history_file},
+    {"DATABASE_NCFORC", Phase::action, interval, form, take_history_file},
     {"DATABASE_BINARY_D3PLOT", Phase::action, "DT LCDT NPLTC",
      "BEAM PSETID IOOPT RATE CUTOFF WINDOW TYPE PSET", take_plot},
     {"DATABASE_BINARY_D3DUMP", Phase::action, "DT", "LCDT BEAM NPLTC PSETID CID NSKIP IOOPT", take_dump},

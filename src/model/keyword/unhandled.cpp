@@ -36,7 +36,6 @@ constexpr Rule rules[] = {
     // Settings and definitions that act only through keywords refused on their own.
     {"CONTROL_SHELL", Policy::output_only, elsewhere},
     {"CONTROL_CHECK_SHELL", Policy::output_only, elsewhere},
-    {"CONTROL_CONTACT", Policy::output_only, elsewhere},
     {"CONTROL_RIGID", Policy::output_only, elsewhere},
     {"CONTROL_SPH", Policy::output_only, elsewhere},
     {"CONTROL_EFG", Policy::output_only, elsewhere},
@@ -56,7 +55,7 @@ constexpr Rule rules[] = {
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID*", Policy::refused,
      "there are no rigid bodies; move the nodes of a set"},
     {"CONSTRAINED_*", Policy::refused, "merge the nodes, or hold them by *BOUNDARY_SPC"},
-    {"CONTACT_*", Policy::refused, "contact is not computed; a flat target can be a *RIGIDWALL_PLANAR"},
+    {"CONTACT_*", Policy::refused, "this kind of contact is not computed; see the page on contact for those that are"},
     {"CONTROL_IMPLICIT_*", Policy::refused, "only explicit dynamics is computed"},
     {"CONTROL_ADAP*", Policy::refused, "the mesh is not refined during the run"},
     {"CONTROL_REMESH*", Policy::refused, "the mesh is not rebuilt during the run"},

@@ -121,6 +121,22 @@ class ActionWriter {
     if (w.soft_cycles > 0) out_.line({w.soft_cycles, 0});
   }
 
+  /// Friction and damping are written as they act, so their scale factors are 1.
+  void contact(const Contact& c) {
+    const bool single = c.search == Contact::Search::single;
+    out_.keyword(c.keyword + (c.named ? "_ID" : ""));
+    if (c.named) out_.id_line(c.id, c.title);
+    out_.line({c.a.id, single ? Id(0) : c.b.id, c.a.type, single ? 0 : c.b.type});
+    out_.line({c.static_friction, c.dynamic_friction, c.friction_decay, c.viscous_limit, 100.0 * c.damping, 0,
+               c.birth, c.death});
+    out_.line({c.scale_a, c.scale_b});
+    if (c.eroding) out_.line({0, 1, 1});
+    if (c.tied) return;
+    out_.line({c.soft, c.soft_scale, 0, c.extension});
+    out_.line({0.0});
+    out_.line({0, c.ignore});
+  }
+
   void damping() {
     for (const GlobalDamping& d : model_.global_damping) {
       out_.keyword("DAMPING_GLOBAL");
@@ -194,6 +210,7 @@ void write_actions(const Model& model, DeckText& out) {
   for (const auto& l : model.body_loads) write.body(l);
   write.body_parts();
   for (const auto& w : model.walls) write.wall(w);
+  for (const auto& c : model.contacts) write.contact(c);
   for (const auto& a : model.absorbing) write.absorbing(a);
   for (const auto& c : model.precracks) write.precrack(c);
   write.damping();

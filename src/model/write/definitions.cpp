@@ -39,6 +39,13 @@ void write_control(const Model& model, DeckText& out) {
   out.line({flag(c.energy.hourglass), flag(c.energy.wall), flag(c.energy.sliding), flag(c.energy.damping)});
   out.keyword("CONTROL_HOURGLASS");
   out.line({c.hourglass.type, c.hourglass.coefficient});
+  if (!model.contacts.empty()) {
+    out.keyword("CONTROL_CONTACT");
+    out.line({c.contact.stiffness, 0.0, 1, 0, c.contact.penalty, 0, c.contact.orient});
+    out.line({0});
+    out.line({0.0});
+    out.line({c.contact.ignore});
+  }
   out.keyword("CONTROL_ACCURACY");
   out.line({0, c.invariant_node_numbering});
   out.keyword("CONTROL_SOLID");

@@ -47,7 +47,7 @@ TEST(Build, ReferencesMayPointForward) {
 }
 
 TEST(Build, RefusedPhysicsIsAnErrorWithPlaceUnlessAllowed) {
-  const std::string text = cube + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n";
+  const std::string text = cube + "*CONTACT_AUTOMATIC_GENERAL\n0\n\n\n";
   const Built b = build_text(text);
   EXPECT_TRUE(b.says(deck::Severity::error, after_cube, "not computed")) << b.text();
   const Built allowed = build_text(text, {.allow_unsupported = true});

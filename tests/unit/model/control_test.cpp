@@ -61,7 +61,7 @@ TEST(Control, EnergySwitchesAreOneAndTwo) {
   const EnergyControl e = build_text(cube + "*CONTROL_ENERGY\n2,1,0,2\n").model.control.energy;
   EXPECT_TRUE(e.hourglass);
   EXPECT_FALSE(e.wall);
-  EXPECT_FALSE(e.sliding);
+  EXPECT_TRUE(e.sliding);
   EXPECT_TRUE(e.damping);
 }
 

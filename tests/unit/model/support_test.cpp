@@ -39,9 +39,9 @@ TEST(Support, OfFields) {
 TEST(Support, OfKeywords) {
   EXPECT_EQ(support_of("NODE").policy, Account::Policy::honoured);
   EXPECT_EQ(support_of("CONTROL_TIMESTEP").policy, Account::Policy::in_part);
-  EXPECT_EQ(support_of("CONTACT_AUTOMATIC_SINGLE_SURFACE").policy, Account::Policy::refused);
+  EXPECT_EQ(support_of("CONTACT_AUTOMATIC_GENERAL").policy, Account::Policy::refused);
   EXPECT_EQ(support_of("MAT_HONEYCOMB").policy, Account::Policy::refused);
-  EXPECT_EQ(support_of("DATABASE_RCFORC").policy, Account::Policy::output_only);
+  EXPECT_EQ(support_of("DATABASE_SBTOUT").policy, Account::Policy::output_only);
   EXPECT_EQ(support_of("NO_SUCH_THING").policy, Account::Policy::unknown);
   EXPECT_FALSE(support_of("MAT_PLASTIC_KINEMATIC").source.empty());
 }
