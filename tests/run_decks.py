@@ -28,7 +28,8 @@ import tempfile
 from pathlib import Path
 
 # The history file an entity is looked up in; without an entity it is glstat.
-HISTORY = {"element": "elout", "node": "nodout", "part": "matsum", "wall": "rwforc", "support": "spcforc"}
+HISTORY = {"element": "elout", "node": "nodout", "part": "matsum", "wall": "rwforc", "support": "spcforc",
+           "contact": "rcforc"}
 REDUCTIONS = {"max": max, "min": min, "range": lambda v: max(v) - min(v), "peak": lambda v: max(map(abs, v))}
 TOLERANCES = ("exact", "roundoff", "order", "model")
 DIRECTIVES = ("case", "source", "expect", "expect-fail", "order", "vary", "options", "slow")

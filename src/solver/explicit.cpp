@@ -10,6 +10,7 @@
 #include "base/assert.hpp"
 #include "solver/action.hpp"
 #include "solver/erosion.hpp"
+#include "solver/interaction.hpp"
 #include "solver/nodal.hpp"
 #include "solver/ordered_sum.hpp"
 #include "solver/step_size.hpp"
@@ -40,6 +41,7 @@ class Explicit final : public Solver {
         options_(options),
         loads_(make_loads(model_)),
         constraints_(make_constraints(world, diagnostics)),
+        interactions_(make_interactions(world, diagnostics)),
         scaling_(world),
         nodal_(world.node_count()),
         internal_(world.node_count()) {
@@ -52,6 +54,8 @@ class Explicit final : public Solver {
     if (!loaded_.empty()) external_.resize(3 * world.node_count());
     held_.resize(3 * world.node_count());
     reactions_ = {held_, std::vector<WallForce>(model_.walls.size())};
+    interfaces_.resize(interactions_.size());
+    if (!interactions_.empty()) contact_force_.resize(3 * world.node_count());
   }
 
   Outcome advance(State& state, std::span<Observer* const> observers, Wishes& wishes) override {
@@ -96,6 +100,12 @@ class Explicit final : public Solver {
     for (const auto& constraint : constraints_)
       constraint_memory_.push_back(
           remember(state, constraint->name(), [&] { return constraint->first_memory(state); }));
+    interaction_memory_.clear();
+    for (const auto& interaction : interactions_) {
+      interaction_memory_.push_back(
+          remember(state, interaction->name(), [&] { return interaction->first_memory(); }));
+      interaction->start(state);
+    }
     factor_memory_.clear();
     if (scaling_.active())
       for (std::size_t b = 0; b < world_.blocks.size(); ++b)
@@ -110,6 +120,8 @@ class Explicit final : public Solver {
     nodal_.settle_all(state, acceleration(state));
     for (std::size_t c = 0; c < constraints_.size(); ++c)
       constraints_[c]->report(state.memory[constraint_memory_[c]].values, reactions_);
+    for (std::size_t i = 0; i < interactions_.size(); ++i)
+      interfaces_[i] = interactions_[i]->report(state.memory[interaction_memory_[i]].values);
     return {};
   }
 
@@ -133,6 +145,8 @@ class Explicit final : public Solver {
     StableStep stable{output.stable_step, output.stable_element};
     if (scaling_.active()) scaling_.apply(state, factors(state), start, stable);
     state.next_step = choose_step(model_, state, stable);
+    if (const StepStatus status = add_contact(state, stable); !status.ok) return status;
+    state.largest_force = internal_.largest();
     if (start) state.first_step = state.next_step;
     number(state, step_element) = static_cast<double>(stable.element);
 
@@ -151,6 +165,7 @@ class Explicit final : public Solver {
     }
     watch_.lap(Phase::loads);
     nodal_.settle(state, a);
+    report_contact(state, now, a);
     balance_energies(state, now, output);
     watch_.lap(Phase::update);
     return check_health(world_, state, number(state, gross_work), stable.element, a);
@@ -189,8 +204,41 @@ class Explicit final : public Solver {
       part.eroded_hourglass += one.eroded_hourglass;
     }
     std::sort(eroded_.begin(), eroded_.end());
-    state.largest_force = internal_.largest();
     return all;
+  }
+
+  /// Forces between surfaces join those of the elements. Their springs may ask for a smaller step.
+  StepStatus add_contact(State& state, const StableStep& stable) {
+    if (interactions_.empty()) return {};
+    watch_.lap(Phase::update);
+    const Moment now{state.time, state.step, state.next_step, state.position, state.velocity, state.mass};
+    StepStatus status;
+    double rate = 0.0, damping = 0.0;
+    for (std::size_t i = 0; i < interactions_.size(); ++i) {
+      const ContactOutput output =
+          interactions_[i]->add_force(now, eroded_, state.memory[interaction_memory_[i]].values, internal_);
+      if (status.ok && !output.status.ok) status = output.status;
+      rate += output.stiffness_rate;
+      damping = std::max(damping, output.damping);
+    }
+    state.next_step = limit_step(state.next_step, stable.step, rate, damping);
+    watch_.lap(Phase::contact);
+    return status;
+  }
+
+  /// What contact is doing, for the observers.
+  void report_contact(State& state, const Moment& now, std::span<const double> a) {
+    if (interactions_.empty()) return;
+    std::fill(contact_force_.begin(), contact_force_.end(), 0.0);
+    double sliding = 0.0;
+    for (std::size_t i = 0; i < interactions_.size(); ++i) {
+      base::Array<double>& memory = state.memory[interaction_memory_[i]].values;
+      interactions_[i]->settle(now, memory, a);
+      interactions_[i]->add_nodal(contact_force_);
+      interfaces_[i] = interactions_[i]->report(memory);
+      sliding += interfaces_[i].energy();
+    }
+    if (model_.control.energy.sliding) state.energy.sliding = sliding;
   }
 
   void add_loads(const Moment& now) {
@@ -259,7 +307,9 @@ class Explicit final : public Solver {
             held_,
             reactions_.walls,
             static_cast<model::Id>(state.memory[numbers_].values[step_element]),
-            eroded_};
+            eroded_,
+            interfaces_,
+            contact_force_};
   }
 
   std::span<double> acceleration(State& state) const { return state.memory[acceleration_].values; }
@@ -275,6 +325,7 @@ class Explicit final : public Solver {
   Options options_;
   std::vector<std::unique_ptr<Load>> loads_;
   std::vector<std::unique_ptr<Constraint>> constraints_;
+  std::vector<std::unique_ptr<Interaction>> interactions_;
   MassScaling scaling_;
   std::optional<Erosion> erosion_;
   Nodal nodal_;
@@ -284,9 +335,11 @@ class Explicit final : public Solver {
   base::Array<double> external_;  // [node][3] loads; empty without loads
   base::Array<double> held_;      // [node][3] forces that hold nodes
   Reactions reactions_;
+  std::vector<InterfaceForce> interfaces_;
+  base::Array<double> contact_force_;           // [node][3]; empty without contact
   std::vector<model::Id> eroded_;               // in this step
   std::size_t acceleration_ = 0, numbers_ = 0;  // places in the state's memory
-  std::vector<std::size_t> constraint_memory_, factor_memory_;
+  std::vector<std::size_t> constraint_memory_, interaction_memory_, factor_memory_;
   double element_cycles_ = 0.0;
   Stopwatch watch_;
 };

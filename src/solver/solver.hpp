@@ -76,6 +76,18 @@ struct Fact {
   double value = 0.0;
 };
 
+/// What a contact does at t_n, and has done so far.
+struct InterfaceForce {
+  double force[3] = {0, 0, 0};                         ///< on side A; side B gets the opposite [force]
+  double normal_energy = 0.0;                          ///< stored in the springs between the sides [energy]
+  double friction_energy = 0.0, damping_energy = 0.0;  ///< taken from the bodies [energy]
+  double area = 0.0;  ///< of the faces or nodes that touch, both sides where both are looked at
+  std::size_t touches = 0;
+  double deepest = 0.0;  ///< penetration, beyond that at the start [length]
+
+  double energy() const { return normal_energy + friction_energy + damping_energy; }
+};
+
 /// Everything an observer may read after a step; valid only during the call.
 struct Frame {
   const model::Model& model;
@@ -92,6 +104,8 @@ struct Frame {
   const CellSource* cells = nullptr;           ///< null: fields are those of nodes and blocks
   std::span<const Fact> facts = {};            ///< the solver's own table at t_n; always the same names
   std::function<void()> save = {};  ///< brings State::memory up to date before it is saved; empty: it is
+  std::span<const InterfaceForce> interfaces = {};  ///< one per Model::contacts
+  std::span<const double> contact_force = {};       ///< [node][3] of all contacts; empty without any [force]
 };
 
 enum class Ending {
@@ -137,7 +151,7 @@ struct Outcome {
   double seconds = 0.0;               ///< wall clock in the time loop
   double element_cycles = 0.0;        ///< active elements times cycles
   struct Phase {
-    std::string name;  ///< "elements", "loads", "update", "output"
+    std::string name;  ///< "elements", "contact", "loads", "update", "output"
     double seconds = 0.0;
   };
   std::vector<Phase> phases;

@@ -20,6 +20,14 @@ double choose_step(const model::Model& model, const State& state, const StableSt
   return limit < none ? limit : 0.01 * model.control.end.time;
 }
 
+double limit_step(double step, double stable, double rate, double damping) {
+  if (rate <= 0.0) return step;
+  constexpr double margin = 0.99;
+  const double elements = stable < 1.0e29 ? 4.0 / (stable * stable) : 0.0;
+  const double bound = 2.0 / std::sqrt(elements + rate) * (std::sqrt(1.0 + damping * damping) - damping);
+  return std::min(step, margin * bound);
+}
+
 double least_step(const model::Model& model, const State& state) {
   return model.control.end.step_fraction * state.first_step;
 }

@@ -9,7 +9,7 @@
 
 namespace cleave::solver {
 
-enum class Phase : std::size_t { elements, loads, update, output };
+enum class Phase : std::size_t { elements, contact, loads, update, output };
 
 /// lap(phase) books the time since the lap before; about 30 ns.
 class Stopwatch {
@@ -26,16 +26,17 @@ class Stopwatch {
   }
   std::vector<Outcome::Phase> phases() const {
     return {{"elements", seconds(spent_[0])},
-            {"loads", seconds(spent_[1])},
-            {"update", seconds(spent_[2])},
-            {"output", seconds(spent_[3])}};
+            {"contact", seconds(spent_[1])},
+            {"loads", seconds(spent_[2])},
+            {"update", seconds(spent_[3])},
+            {"output", seconds(spent_[4])}};
   }
 
  private:
   using Clock = std::chrono::steady_clock;
   static double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
-  std::array<Clock::duration, 4> spent_{};
+  std::array<Clock::duration, 5> spent_{};
   Clock::time_point last_ = Clock::now();
 };
 

@@ -1,0 +1,410 @@
+/// One contact: touches become forces; friction and energies are remembered. Theory: docs/solver/contact.md.
+
+#include <atomic>
+#include <cmath>
+
+#include "base/threads.hpp"
+#include "solver/contact/finders.hpp"
+#include "solver/ordered_sum.hpp"
+
+namespace cleave::solver {
+namespace {
+
+using base::dot;
+using discretisation::ForceSum;
+
+constexpr std::size_t grain = 256;
+constexpr double tunnelled = 1.0;  // thicknesses behind a face at which a touch has come through
+
+/// Energies taken from the nodes [energy].
+struct Spent {
+  double normal = 0.0, friction = 0.0, damping = 0.0;
+  Spent& operator+=(const Spent& o) {
+    normal += o.normal;
+    friction += o.friction;
+    damping += o.damping;
+    return *this;
+  }
+};
+
+/// Adds a force on the nodes a and its opposite on the nodes b so that the integers cancel exactly.
+class Balanced {
+ public:
+  explicit Balanced(ForceSum& sum) : sum_(sum) {}
+
+  void add(const Touch& touch, const Vector& force) {
+    const double f[3] = {force.x, force.y, force.z};
+    for (int i = 0; i < 3; ++i) {
+      if (f[i] == 0.0) continue;
+      largest_ = std::max(largest_, std::abs(f[i]));
+      if (std::abs(f[i]) < 0.25 * sum_.limit())
+        integers(touch, i, f[i]);
+      else
+        values(touch, i, f[i]);
+    }
+  }
+  double largest() const { return largest_; }
+
+ private:
+  void integers(const Touch& touch, int i, double f) {
+    std::int64_t rest = 0;
+    int last = 0;
+    for (int k = 0; k < 4; ++k) {
+      if (touch.wa[k] != 0.0) give(touch.a[k], i, sum_.quantum(touch.wa[k] * f), rest);
+      if (touch.wb[k] != 0.0) give(touch.b[k], i, sum_.quantum(-touch.wb[k] * f), rest), last = k;
+    }
+    sum_.add(touch.b[last], i, -rest, true);
+  }
+  void give(Index node, int i, std::int64_t integer, std::int64_t& rest) {
+    sum_.add(node, i, integer, true);
+    rest += integer;
+  }
+  /// Beyond the range of the sum: parts that are multiples of one power of two, so that each is exact in
+  /// whatever scale it is summed.
+  void values(const Touch& touch, int i, double f) {
+    int exponent = 0;
+    std::frexp(f, &exponent);
+    const double unit = std::ldexp(1.0, exponent - 17);
+    double rest = 0.0;
+    int last = 0;
+    const auto part = [&](Index node, double value) {
+      const double whole = unit * std::nearbyint(value / unit);
+      sum_.add_value(node, i, whole);
+      rest += whole;
+    };
+    for (int k = 0; k < 4; ++k) {
+      if (touch.wa[k] != 0.0) part(touch.a[k], touch.wa[k] * f);
+      if (touch.wb[k] != 0.0) part(touch.b[k], -touch.wb[k] * f), last = k;
+    }
+    sum_.add_value(touch.b[last], i, -rest);
+  }
+  ForceSum& sum_;
+  double largest_ = 0.0;
+};
+
+class Interface final : public Interaction {
+ public:
+  Interface(const model::Model& model, const model::Contact& contact, std::size_t number,
+            std::vector<std::unique_ptr<Finder>> finders, double force_scale, double stiffest)
+      : model_(model),
+        contact_(contact),
+        number_(number),
+        finders_(std::move(finders)),
+        force_scale_(force_scale),
+        rate_scale_(stiffest > 0.0 ? 0x1p36 / stiffest : 1.0) {}
+
+  std::string name() const override { return "contact " + std::to_string(number_); }
+  base::Array<double> first_memory() const override {
+    base::Array<double> memory(head, 0.0);
+    memory[least_step] = 1e30;
+    return memory;
+  }
+  void start(const discretisation::State& state) override {
+    for (const auto& finder : finders_) finder->start(state);
+  }
+
+  ContactOutput add_force(const Moment& now, std::span<const model::Id> eroded, base::Array<double>& memory,
+                          ForceSum& force) override {
+    if (!eroded.empty())
+      for (const auto& finder : finders_) finder->erode(eroded);
+    touches_.clear();
+    ContactOutput output;
+    if (now.time < contact_.birth || now.time >= contact_.death) {
+      memory.resize(head);
+      for (std::size_t i = force_x; i < least_step; ++i) memory[i] = 0.0;
+      return output;
+    }
+    memory[least_step] = std::min(memory[least_step], now.step);
+    const Past past(std::span<const double>(memory).subspan(head));
+    std::vector<std::size_t> ends;
+    for (const auto& finder : finders_) {
+      finder->find(now, past, touches_);
+      ends.push_back(touches_.size());
+    }
+    output.status = check(past, ends);
+
+    kept_.resize(touches_.size());
+    std::vector<double> largest((touches_.size() + grain - 1) / grain, 0.0);
+    std::vector<double> damped(largest.size(), 0.0);
+    rates_.resize(now.mass.size());
+    const bool first = now.step_before == 0.0;
+    base::for_each_range(touches_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      Balanced balanced(force);
+      for (std::size_t i = begin; i < end; ++i) {
+        Touch& touch = touches_[i];
+        const Remembered* old = past.find(touch.key);
+        kept_[i] = press(now, memory[least_step], touch, old, first, damped[begin / grain]);
+        balanced.add(touch, touch.pressure + touch.friction + touch.viscous);
+        add_rate(touch);
+      }
+      largest[begin / grain] = balanced.largest();
+    });
+    double top = force_scale_;
+    for (const double one : largest) top = std::max(top, one);
+    force.report_largest(top);
+    for (const double one : damped) output.damping = std::max(output.damping, one);
+    output.stiffness_rate = take_rate(now);
+    remember(memory);
+    return output;
+  }
+
+  void settle(const Moment& now, base::Array<double>& memory,
+              std::span<const double> acceleration) const override {
+    Spent before{memory[normal_after], memory[friction_after], memory[damping_after]};
+    Spent after;
+    struct Both {
+      Spent before, after;
+      Both& operator+=(const Both& o) {
+        before += o.before;
+        after += o.after;
+        return *this;
+      }
+    };
+    const Both sum = ordered_sum<Both>(touches_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      Both part;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Touch& touch = touches_[i];
+        const Vector early = relative(touch, now.velocity);
+        const Vector late = early + now.interval() * relative(touch, acceleration);
+        const double b = -0.5 * now.step_before, a = -0.5 * now.step;
+        part.before +=
+            {b * dot(touch.pressure, early), b * dot(touch.friction, early), b * dot(touch.viscous, early)};
+        part.after +=
+            {a * dot(touch.pressure, late), a * dot(touch.friction, late), a * dot(touch.viscous, late)};
+      }
+      return part;
+    });
+    before += sum.before;
+    after = sum.after;
+    memory[normal] += before.normal;
+    memory[friction] += before.friction;
+    memory[damping] += before.damping;
+    memory[normal_after] = after.normal;
+    memory[friction_after] = after.friction;
+    memory[damping_after] = after.damping;
+  }
+
+  InterfaceForce report(std::span<const double> memory) const override {
+    InterfaceForce out;
+    for (int i = 0; i < 3; ++i) out.force[i] = memory[force_x + static_cast<std::size_t>(i)];
+    out.normal_energy = memory[normal];
+    out.friction_energy = memory[friction];
+    out.damping_energy = memory[damping];
+    out.area = memory[contact_area];
+    out.touches = (memory.size() - head) / (sizeof(Remembered) / sizeof(double));
+    out.deepest = memory[deepest];
+    return out;
+  }
+
+  void add_nodal(std::span<double> force) const override {
+    for (const Touch& touch : touches_) {
+      const Vector f = touch.pressure + touch.friction + touch.viscous;
+      for (int k = 0; k < 4; ++k)
+        for (const auto& [node, share] : {std::pair{touch.a[k], touch.wa[k]}, {touch.b[k], -touch.wb[k]}}) {
+          double* to = &force[3 * static_cast<std::size_t>(node)];
+          to[0] += share * f.x;
+          to[1] += share * f.y;
+          to[2] += share * f.z;
+        }
+    }
+  }
+
+ private:
+  /// Places in the memory; what is remembered of each touch follows.
+  enum Slot : std::size_t {
+    normal,
+    friction,
+    damping,
+    normal_after,
+    friction_after,
+    damping_after,
+    force_x,
+    contact_area = force_x + 3,
+    deepest,
+    least_step,
+    head
+  };
+
+  /// Forces of a touch; @return what is to be remembered of it.
+  Remembered press(const Moment& now, double step, Touch& touch, const Remembered* old, bool first,
+                   double& largest_damping) const {
+    Remembered kept{
+        {static_cast<double>(touch.key[0]), static_cast<double>(touch.key[1])}, {0, 0, 0}, 0.0, touch.depth};
+    // What penetrates at the start counts as touching; it does not come back once it has left.
+    if (old) kept.offset = std::min(old->offset, touch.depth);
+    if (first) kept.offset = touch.depth;
+    const double depth = touch.depth - kept.offset;
+    double inverse_a = 0.0, inverse_b = 0.0;
+    for (int k = 0; k < 4; ++k) {
+      const double ma = now.mass[static_cast<std::size_t>(touch.a[k])];
+      const double mb = now.mass[static_cast<std::size_t>(touch.b[k])];
+      if (ma > 0.0) inverse_a += touch.wa[k] * touch.wa[k] / ma;
+      if (mb > 0.0) inverse_b += touch.wb[k] * touch.wb[k] / mb;
+    }
+    const double mass = inverse_a + inverse_b > 0.0 ? 1.0 / (inverse_a + inverse_b) : 0.0;
+    if (contact_.soft == 1)
+      touch.stiffness = std::max(touch.stiffness, 0.5 * contact_.soft_scale * mass / (step * step));
+    const double push = touch.stiffness * depth;
+    if (!(push > 0.0)) {
+      touch.stiffness = 0.0;
+      return kept;
+    }
+    touch.pressure = push * touch.normal;
+
+    const Vector v = relative(touch, now.velocity);
+    const double approach = dot(v, touch.normal);
+    if (contact_.damping > 0.0) {
+      const double critical = 2.0 * std::sqrt(touch.stiffness * mass);
+      const double brake = std::max(-contact_.damping * critical * approach, -push);  // never pulls
+      touch.viscous = brake * touch.normal;
+      largest_damping = contact_.damping;
+    }
+    rub(now, touch, old, v - approach * touch.normal, push, kept);
+    return kept;
+  }
+
+  /// Coulomb friction: a spring that slips when it is pulled harder than friction holds.
+  void rub(const Moment& now, Touch& touch, const Remembered* old, const Vector& sliding, double push,
+           Remembered& kept) const {
+    const double fs = contact_.static_friction, fd = contact_.dynamic_friction;
+    if (fs == 0.0 && fd == 0.0) return;
+    const double speed = norm(sliding);
+    const double coefficient = fd + (fs - fd) * std::exp(-contact_.friction_decay * speed);
+    double most = coefficient * push;
+    if (contact_.viscous_limit > 0.0) most = std::min(most, contact_.viscous_limit * touch.area);
+    Vector force{0, 0, 0};
+    if (old) {
+      const Vector last{old->friction[0], old->friction[1], old->friction[2]};
+      // The face has turned meanwhile: keep the size.
+      const Vector flat = last - dot(last, touch.normal) * touch.normal;
+      const double now_size = norm(flat);
+      if (now_size > 0.0) force = (norm(last) / now_size) * flat;
+    }
+    force = force - (touch.stiffness * now.step_before) * sliding;
+    const double size = norm(force);
+    if (size > most) force = (most / size) * force;
+    touch.friction = force;
+    kept.friction[0] = force.x;
+    kept.friction[1] = force.y;
+    kept.friction[2] = force.z;
+  }
+
+  /// Sums of stiffness over a node, as integers, so that the order does not matter.
+  void add_rate(const Touch& touch) {
+    if (touch.stiffness == 0.0) return;
+    const auto add = [&](Index node, double share) {
+      if (share == 0.0) return;
+      const auto integer =
+          static_cast<std::int64_t>(std::llrint(touch.stiffness * std::abs(share) * rate_scale_));
+      std::atomic_ref<std::int64_t>(rates_[static_cast<std::size_t>(node)])
+          .fetch_add(integer, std::memory_order_relaxed);
+    };
+    for (int k = 0; k < 4; ++k) {
+      add(touch.a[k], touch.wa[k]);
+      add(touch.b[k], touch.wb[k]);
+    }
+  }
+  /// Gershgorin's bound of the squared frequencies; clears the sums.
+  double take_rate(const Moment& now) {
+    double most = 0.0;
+    for (const Touch& touch : touches_)
+      for (int k = 0; k < 4; ++k)
+        for (const Index node : {touch.a[k], touch.b[k]}) {
+          std::int64_t& sum = rates_[static_cast<std::size_t>(node)];
+          const double mass = now.mass[static_cast<std::size_t>(node)];
+          if (sum != 0 && mass > 0.0)
+            most = std::max(most, 2.0 * static_cast<double>(sum) / (rate_scale_ * mass));
+          sum = 0;
+        }
+    return most;
+  }
+
+  void remember(base::Array<double>& memory) const {
+    constexpr std::size_t width = sizeof(Remembered) / sizeof(double);
+    memory.resize(head + width * touches_.size());
+    for (std::size_t i = force_x; i < least_step; ++i) memory[i] = 0.0;
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const Touch& touch = touches_[i];
+      const auto* from = reinterpret_cast<const double*>(&kept_[i]);
+      std::copy(from, from + width, memory.begin() + static_cast<std::ptrdiff_t>(head + width * i));
+      const double sign = touch.reverse ? -1.0 : 1.0;
+      const Vector f = touch.pressure + touch.friction + touch.viscous;
+      memory[force_x] += sign * f.x;
+      memory[force_x + 1] += sign * f.y;
+      memory[force_x + 2] += sign * f.z;
+      if (touch.stiffness > 0.0) memory[contact_area] += touch.area;
+      memory[deepest] = std::max(memory[deepest], touch.depth - kept_[i].offset);
+    }
+  }
+
+  /// A touch that went through the solid behind its face ends the run.
+  discretisation::StepStatus check(const Past& past, const std::vector<std::size_t>& ends) const {
+    std::size_t finder = 0;
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      while (i >= ends[finder]) ++finder;
+      const Touch& touch = touches_[i];
+      const Face& face = finders_[finder]->face(touch.face);
+      if (touch.depth <= tunnelled * face.thickness || !past.find(touch.key)) continue;
+      const auto& ids = model_.mesh.nodes.id;
+      return {false, face.part, face.element,
+              "contact " + std::to_string(contact_.id) + ": node " +
+                  std::to_string(ids[static_cast<std::size_t>(touch.a[0])]) +
+                  " went through the surface of the element",
+              "the contact is too soft for this load: raise SFSA and SFSB or SLSFAC, or take SOFT 1 or 2"};
+    }
+    return {};
+  }
+
+  const model::Model& model_;
+  const model::Contact& contact_;
+  std::size_t number_;
+  std::vector<std::unique_ptr<Finder>> finders_;
+  double force_scale_;          // what a force of this contact may well be [force]
+  double rate_scale_;           // integers per stiffness
+  std::vector<Touch> touches_;  // of the last call
+  std::vector<Remembered> kept_;
+  std::vector<std::int64_t> rates_;  // [node], zero between calls
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Interaction>> make_interactions(const discretisation::World& world,
+                                                            deck::Diagnostics& diagnostics) {
+  using Search = model::Contact::Search;
+  std::vector<std::unique_ptr<Interaction>> list;
+  const model::Model& model = *world.model;
+  const model::ContactControl& control = model.control.contact;
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const bool orient = contact.automatic || control.orient == 2;
+    const auto surface = [&](const model::ContactSide& side) {
+      return std::make_shared<Surface>(world, contact, side, contact.eroding, orient, diagnostics);
+    };
+    model::ContactSide around = contact.a;  // faces around the nodes of a set: those of all parts
+    if (contact.a.segments.empty())
+      for (Index p = 0; p < static_cast<Index>(model.parts.size()); ++p) around.parts.push_back(p);
+    const auto a = surface(around);
+    const auto b = contact.search == Search::single ? a : surface(contact.b);
+
+    std::vector<std::unique_ptr<Finder>> finders;
+    const std::vector<Index> only = contact.a.segments.empty() ? contact.a.nodes : std::vector<Index>();
+    if (contact.soft == 2)
+      finders.push_back(make_segment_finder(a, b, contact, control.stiffness, control.penalty));
+    else
+      finders.push_back(make_node_finder({only, a, b, false, contact.search == Search::single}, contact,
+                                         control.stiffness, control.penalty));
+    if (contact.soft != 2 && contact.search == Search::two_way)
+      finders.push_back(
+          make_node_finder({{}, b, a, true, false}, contact, control.stiffness, control.penalty));
+    double scale = 0.0, stiffest = 0.0;
+    for (const Surface* one : {a.get(), b.get()})
+      for (const Face& face : one->faces()) {
+        scale = std::max(scale, 1e-3 * face.stiffness * face.thickness);
+        stiffest = std::max(stiffest, face.stiffness);
+      }
+    list.push_back(std::make_unique<Interface>(model, contact, c, std::move(finders), scale, stiffest));
+  }
+  return list;
+}
+
+}  // namespace cleave::solver

@@ -1,0 +1,277 @@
+/// Nodes against faces: every node of one side looks for the closest face of the other that it faces.
+
+#include <algorithm>
+#include <memory>
+
+#include "base/threads.hpp"
+#include "solver/contact/closest.hpp"
+#include "solver/contact/finders.hpp"
+#include "solver/contact/reach.hpp"
+
+namespace cleave::solver {
+namespace {
+
+using base::dot;
+
+constexpr std::size_t grain = 128;
+constexpr double facing = -0.2;      // cosine below which two normals look at each other
+constexpr double reach_depth = 0.5;  // of the thickness behind a face: deeper is on the other side
+constexpr double keep_depth = 1.0;   // the same for a node that touched it in the step before
+
+class NodeFinder final : public Finder {
+ public:
+  NodeFinder(const NodeSides& sides, const model::Contact& contact, double factor, int rule)
+      : nodes_(sides.nodes),
+        of_nodes_(sides.of_nodes),
+        faces_(sides.faces),
+        contact_(contact),
+        reverse_(sides.reverse),
+        single_(sides.single),
+        node_factor_(factor * (sides.reverse ? contact.scale_b : contact.scale_a)),
+        face_factor_(factor * (sides.reverse || sides.single ? contact.scale_a : contact.scale_b)),
+        rule_(rule) {}
+
+  void start(const discretisation::State& state) override {
+    of_nodes_->start(state);
+    faces_->start(state);
+    reach_.forget();
+  }
+  void erode(std::span<const model::Id> eroded) override {
+    const bool nodes = of_nodes_->erode(eroded);
+    const bool faces = faces_ != of_nodes_ && faces_->erode(eroded);
+    if (nodes || faces) reach_.forget();
+  }
+  const Face& face(std::int32_t number) const override {
+    return faces_->faces()[static_cast<std::size_t>(number)];
+  }
+
+  void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
+    if (!reach_.holds(now)) sort(now);
+    std::vector<std::vector<Touch>> found((who_.size() + grain - 1) / grain);
+    base::for_each_range(who_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) look(now, past, i, found[begin / grain]);
+    });
+    for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
+  }
+
+ private:
+  std::span<const Index> slaves() const { return nodes_.empty() ? of_nodes_->nodes() : nodes_; }
+
+  /// Lists the faces each node may meet while the boxes hold.
+  void sort(const Moment& now) {
+    const std::span<const Index> slaves = this->slaves();
+    const auto& active = faces_->active();
+    std::vector<Index> all(slaves.begin(), slaves.end());
+    all.insert(all.end(), faces_->nodes().begin(), faces_->nodes().end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    double size = 0.0;
+    for (const std::int32_t f : active) size += std::sqrt(face(f).area);
+    size /= std::max<double>(1.0, static_cast<double>(active.size()));
+    reach_.renew(now, all, 0.1 * size, 0.5 * size);
+
+    std::vector<Bounds> boxes(active.size());
+    base::for_each_range(active.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Face& one = face(active[i]);
+        boxes[i] = reach_.box_of(one.node);
+        boxes[i].grow(keep_depth * one.thickness);
+      }
+    });
+    tree_.build(boxes);
+
+    struct Part {
+      std::vector<Index> who;
+      std::vector<std::int32_t> first, list;
+    };
+    std::vector<Part> parts((slaves.size() + 1023) / 1024);
+    base::for_each_range(slaves.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      Part& part = parts[begin / 1024];
+      for (std::size_t i = begin; i < end; ++i) {
+        const Index node = slaves[i];
+        const std::size_t before = part.list.size();
+        tree_.query(reach_.box(node), [&](std::int32_t item) {
+          const std::int32_t f = active[static_cast<std::size_t>(item)];
+          if (!single_ || !own(node, face(f))) part.list.push_back(f);
+        });
+        if (part.list.size() == before) continue;
+        std::sort(part.list.begin() + static_cast<std::ptrdiff_t>(before), part.list.end());
+        part.who.push_back(node);
+        part.first.push_back(static_cast<std::int32_t>(before));
+      }
+    });
+    who_.clear();
+    first_.clear();
+    list_.clear();
+    for (const Part& part : parts) {
+      const auto shift = static_cast<std::int32_t>(list_.size());
+      who_.insert(who_.end(), part.who.begin(), part.who.end());
+      for (const std::int32_t f : part.first) first_.push_back(f + shift);
+      list_.insert(list_.end(), part.list.begin(), part.list.end());
+    }
+    first_.push_back(static_cast<std::int32_t>(list_.size()));
+  }
+
+  /// Does the node belong to the face, or to the solid behind it?
+  bool own(Index node, const Face& target) const {
+    if (std::find(target.node.begin(), target.node.end(), node) != target.node.end()) return true;
+    for (const std::int32_t f : of_nodes_->faces_at(node))
+      if (of_nodes_->faces()[static_cast<std::size_t>(f)].element == target.element) return true;
+    return false;
+  }
+
+  static Vector unit(const Vector& v) {
+    const double size = norm(v);
+    return size > 0.0 ? (1.0 / size) * v : v;
+  }
+
+  /// What is known of a node while it looks at its faces.
+  struct Slave {
+    Index node;
+    Vector at;
+    Vector normal[16];  // of the faces around it
+    int normals = 0;
+    double stiffness = 1e300;
+  };
+
+  /// Does any face around the node look at a face with this normal?
+  static bool faces(const Slave& slave, const Vector& normal) {
+    if (slave.normals == 0) return true;
+    for (int i = 0; i < slave.normals; ++i)
+      if (dot(slave.normal[i], normal) < facing) return true;
+    return false;
+  }
+
+  void look(const Moment& now, const Past& past, std::size_t i, std::vector<Touch>& out) const {
+    if (!(now.mass[static_cast<std::size_t>(who_[i])] > 0.0)) return;
+    Slave slave{who_[i], vector_at(now.position, who_[i]), {}, 0, 1e300};
+    for (const std::int32_t f : of_nodes_->faces_at(slave.node)) {
+      const Face& around = of_nodes_->faces()[static_cast<std::size_t>(f)];
+      slave.stiffness = std::min(slave.stiffness, around.stiffness);
+      if (slave.normals < 16) slave.normal[slave.normals++] = unit(area_normal(around, now.position));
+    }
+    double least = 1e300;
+    std::int32_t best = -1;
+    Closest place{};
+    for (std::int32_t k = first_[i]; k < first_[i + 1]; ++k) {
+      const std::int32_t f = list_[static_cast<std::size_t>(k)];
+      const Face& target = face(f);
+      if (!faces(slave, unit(area_normal(target, now.position)))) continue;
+      Vector corner[4];
+      for (int a = 0; a < 4; ++a)
+        corner[a] = vector_at(now.position, target.node[static_cast<std::size_t>(a)]);
+      const Closest c = closest_point(target, corner, slave.at);
+      const Vector to = slave.at - c.point;
+      const double distance = dot(to, to);
+      if (distance >= least) continue;
+      least = distance;
+      best = f;
+      place = c;
+    }
+    if (best < 0) return;
+    Touch touch;
+    if (!penetrates(now, slave, best, place, touch)) return;
+
+    touch.key[0] = slave.node + (reverse_ ? static_cast<std::int64_t>(now.mass.size()) : 0);
+    touch.key[1] = 0;
+    const Face& target = face(best);
+    for (int a = 0; a < 4; ++a) {
+      touch.a[a] = slave.node;
+      touch.wa[a] = a == 0 ? 1.0 : 0.0;
+      touch.b[a] = target.node[static_cast<std::size_t>(a)];
+      touch.wb[a] = place.weight[a];
+    }
+    touch.face = best;
+    touch.reverse = reverse_;
+    if (touch.depth > reach_depth * target.thickness) {
+      // So deep only if it was in touch before, or has just come through.
+      const double came = -touch.depth - dot(relative(touch, now.velocity), touch.normal) * now.step_before;
+      const bool was = past.find(touch.key) != nullptr;
+      if (!was && came < 0.0) return;
+    }
+    const double of_node = node_factor_ * slave.stiffness, of_face = face_factor_ * target.stiffness;
+    const bool has_node = slave.normals > 0;
+    const int rule = reverse_ && rule_ != 1 ? 5 - rule_ : rule_;  // 2 and 3 name sides of the card
+    touch.stiffness = !has_node || rule == 2 ? of_face : rule == 3 ? of_node : std::min(of_node, of_face);
+    touch.area = target.area;
+    if (has_node) {
+      touch.area = 0.0;
+      for (const std::int32_t f : of_nodes_->faces_at(slave.node)) {
+        const Face& around = of_nodes_->faces()[static_cast<std::size_t>(f)];
+        touch.area += around.area / around.corners();
+      }
+    }
+    out.push_back(touch);
+  }
+
+  /// Is the point behind the surface? Fills in normal and depth.
+  bool penetrates(const Moment& now, const Slave& slave, std::int32_t f, const Closest& place,
+                  Touch& touch) const {
+    const Face& target = face(f);
+    const Vector to = slave.at - place.point;
+    if (place.inside()) {
+      touch.normal = unit(place.normal);
+      touch.depth = -dot(to, touch.normal);
+      return touch.depth > 0.0;
+    }
+    // On an edge or a corner: what do the faces around it say together?
+    Vector sum = unit(area_normal(target, now.position));
+    bool border = false;
+    const auto join = [&](std::int32_t g) {
+      const Vector n = unit(area_normal(face(g), now.position));
+      if (faces(slave, n))
+        sum = sum + n;
+      else
+        border = true;
+    };
+    if (place.edge >= 0) {
+      const std::int32_t g = faces_->neighbour(f, place.edge);
+      if (g >= 0)
+        join(g);
+      else
+        border = true;
+    } else {
+      const Index corner = target.node[static_cast<std::size_t>(place.corner)];
+      for (const std::int32_t g : faces_->faces_at(corner)) {
+        if (g != f) join(g);
+        const Face& around = face(g);
+        for (int e = 0; e < around.corners(); ++e) {
+          const bool ends = around.node[static_cast<std::size_t>(e)] == corner ||
+                            around.node[static_cast<std::size_t>((e + 1) % around.corners())] == corner;
+          if (ends && faces_->neighbour(g, e) < 0) border = true;
+        }
+      }
+    }
+    const Vector n = unit(sum);
+    const double height = dot(to, n);
+    if (height >= 0.0) return false;
+    const double distance = norm(to);
+    const Vector beside = to - height * n;
+    // Beyond the rim of what it can meet: a face reaches a little beyond its edges.
+    if (border && norm(beside) > (contact_.extension - 1.0) * std::sqrt(target.area)) return false;
+    const bool at_rim = border || distance < 1e-9 * target.thickness;
+    touch.normal = at_rim ? n : (-1.0 / distance) * to;
+    touch.depth = at_rim ? -height : distance;
+    return true;
+  }
+
+  std::vector<Index> nodes_;  // of a node set; empty: those of the surface
+  std::shared_ptr<Surface> of_nodes_, faces_;
+  const model::Contact& contact_;
+  bool reverse_, single_;
+  double node_factor_, face_factor_;
+  int rule_;
+  Reach reach_;
+  Tree tree_;
+  std::vector<Index> who_;  // nodes near any face
+  std::vector<std::int32_t> first_, list_;
+};
+
+}  // namespace
+
+std::unique_ptr<Finder> make_node_finder(const NodeSides& sides, const model::Contact& contact, double factor,
+                                         int rule) {
+  return std::make_unique<NodeFinder>(sides, contact, factor, rule);
+}
+
+}  // namespace cleave::solver

@@ -1,0 +1,177 @@
+/// Faces against faces (SOFT 2): a pressure in proportion to the depth, over the polygon two faces share.
+
+#include <algorithm>
+#include <memory>
+
+#include "base/threads.hpp"
+#include "solver/contact/finders.hpp"
+#include "solver/contact/overlap.hpp"
+#include "solver/contact/reach.hpp"
+
+namespace cleave::solver {
+namespace {
+
+constexpr std::size_t grain = 64;
+constexpr double reach_depth = 0.5;  // of the mean thickness of both: deeper is another side of the body
+constexpr double keep_depth = 1.0;
+constexpr double stiffer = 4.0;  // than a node's spring; the step of the elements leaves room for it
+
+double ramp(double value, double from, double to) {
+  return std::clamp((value - from) / (to - from), 0.0, 1.0);
+}
+
+class SegmentFinder final : public Finder {
+ public:
+  SegmentFinder(std::shared_ptr<Surface> a, std::shared_ptr<Surface> b, const model::Contact& contact,
+                double factor, int rule)
+      : a_(std::move(a)),
+        b_(std::move(b)),
+        single_(a_ == b_),
+        factor_a_(stiffer * factor * contact.scale_a),
+        factor_b_(stiffer * factor * (a_ == b_ ? contact.scale_a : contact.scale_b)),
+        rule_(rule) {}
+
+  void start(const discretisation::State& state) override {
+    a_->start(state);
+    if (!single_) b_->start(state);
+    reach_.forget();
+  }
+  void erode(std::span<const model::Id> eroded) override {
+    const bool first = a_->erode(eroded), second = !single_ && b_->erode(eroded);
+    if (first || second) reach_.forget();
+  }
+  const Face& face(std::int32_t number) const override {
+    return b_->faces()[static_cast<std::size_t>(number)];
+  }
+
+  void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
+    if (!reach_.holds(now)) sort(now);
+    std::vector<std::vector<Touch>> found((who_.size() + grain - 1) / grain);
+    base::for_each_range(who_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::int32_t k = first_[i]; k < first_[i + 1]; ++k)
+          look(now, past, who_[i], list_[static_cast<std::size_t>(k)], found[begin / grain]);
+    });
+    for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
+  }
+
+ private:
+  const Face& face_a(std::int32_t number) const { return a_->faces()[static_cast<std::size_t>(number)]; }
+
+  static bool joined(const Face& one, const Face& other) {
+    if (one.element == other.element) return true;
+    for (const Index node : one.node)
+      if (std::find(other.node.begin(), other.node.end(), node) != other.node.end()) return true;
+    return false;
+  }
+
+  void sort(const Moment& now) {
+    const auto &as = a_->active(), &bs = b_->active();
+    std::vector<Index> all(a_->nodes());
+    all.insert(all.end(), b_->nodes().begin(), b_->nodes().end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    double size = 0.0;
+    for (const std::int32_t f : as) size += std::sqrt(face_a(f).area);
+    for (const std::int32_t f : bs) size += std::sqrt(face(f).area);
+    size /= std::max<double>(1.0, static_cast<double>(as.size() + bs.size()));
+    reach_.renew(now, all, 0.05 * size, 0.4 * size);
+
+    std::vector<Bounds> boxes(bs.size());
+    base::for_each_range(bs.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Face& one = face(bs[i]);
+        boxes[i] = reach_.box_of(one.node);
+        boxes[i].grow(0.5 * keep_depth * one.thickness);
+      }
+    });
+    tree_.build(boxes);
+    struct Part {
+      std::vector<std::int32_t> who, first, list;
+    };
+    std::vector<Part> parts((as.size() + 255) / 256);
+    base::for_each_range(as.size(), 256, [&](std::size_t begin, std::size_t end) {
+      Part& part = parts[begin / 256];
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::int32_t f = as[i];
+        Bounds box = reach_.box_of(face_a(f).node);
+        box.grow(0.5 * keep_depth * face_a(f).thickness);
+        const std::size_t before = part.list.size();
+        tree_.query(box, [&](std::int32_t item) {
+          const std::int32_t g = bs[static_cast<std::size_t>(item)];
+          if (single_ && (g <= f || joined(face_a(f), face(g)))) return;
+          part.list.push_back(g);
+        });
+        if (part.list.size() == before) continue;
+        std::sort(part.list.begin() + static_cast<std::ptrdiff_t>(before), part.list.end());
+        part.who.push_back(f);
+        part.first.push_back(static_cast<std::int32_t>(before));
+      }
+    });
+    who_.clear();
+    first_.clear();
+    list_.clear();
+    for (const Part& part : parts) {
+      const auto shift = static_cast<std::int32_t>(list_.size());
+      who_.insert(who_.end(), part.who.begin(), part.who.end());
+      for (const std::int32_t f : part.first) first_.push_back(f + shift);
+      list_.insert(list_.end(), part.list.begin(), part.list.end());
+    }
+    first_.push_back(static_cast<std::int32_t>(list_.size()));
+  }
+
+  void look(const Moment& now, const Past& past, std::int32_t f, std::int32_t g,
+            std::vector<Touch>& out) const {
+    const Face &one = face_a(f), &other = face(g);
+    Vector x[4], y[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      x[i] = vector_at(now.position, one.node[i]);
+      y[i] = vector_at(now.position, other.node[i]);
+    }
+    Overlap shared;
+    if (!overlap(x, y, shared)) return;
+    Touch touch;
+    touch.key[0] = f;
+    touch.key[1] = g;
+    for (std::size_t i = 0; i < 4; ++i) {
+      touch.a[i] = one.node[i];
+      touch.wa[i] = shared.wa[i];
+      touch.b[i] = other.node[i];
+      touch.wb[i] = shared.wb[i];
+    }
+    touch.normal = shared.normal;
+    touch.face = g;
+    touch.depth = shared.volume / shared.deep_area;
+    touch.area = shared.deep_area;
+    const double thick = 0.5 * (one.thickness + other.thickness);
+    if (touch.depth > reach_depth * thick) {
+      const double came =
+          -touch.depth - base::dot(relative(touch, now.velocity), touch.normal) * now.step_before;
+      if (came < 0.0 && !past.find(touch.key)) return;
+    }
+    const double of_a = factor_a_ * one.stiffness / one.area, of_b = factor_b_ * other.stiffness / other.area;
+    double pressure = rule_ == 2 ? of_b : rule_ == 3 ? of_a : std::min(of_a, of_b);  // per depth
+    // A corner or an edge that pokes covers little area: it gets the stiffness of the area it would cover.
+    const double pokes = 1.0 - ramp(shared.facing, 0.8, 0.97);
+    pressure *= 1.0 + pokes * (std::min(shared.area / shared.deep_area, 100.0) - 1.0);
+    touch.stiffness = ramp(shared.facing, 0.25, 0.5) * pressure * shared.deep_area;
+    out.push_back(touch);
+  }
+
+  std::shared_ptr<Surface> a_, b_;
+  bool single_;
+  double factor_a_, factor_b_;
+  int rule_;
+  Reach reach_;
+  Tree tree_;
+  std::vector<std::int32_t> who_, first_, list_;  // faces of a near any of b; CSR
+};
+
+}  // namespace
+
+std::unique_ptr<Finder> make_segment_finder(std::shared_ptr<Surface> a, std::shared_ptr<Surface> b,
+                                            const model::Contact& contact, double factor, int rule) {
+  return std::make_unique<SegmentFinder>(std::move(a), std::move(b), contact, factor, rule);
+}
+
+}  // namespace cleave::solver

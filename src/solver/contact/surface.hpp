@@ -1,0 +1,92 @@
+#pragma once
+/// The faces that others may not pass: outer faces of parts, or a set of faces, with what lies behind them.
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "base/tensor.hpp"
+#include "discretisation/world.hpp"
+#include "model/contact.hpp"
+
+namespace cleave::solver {
+
+using model::Index;
+using Vector = base::Vec3<double>;
+
+inline Vector vector_at(std::span<const double> field, Index node) {
+  const double* v = &field[3 * static_cast<std::size_t>(node)];
+  return {v[0], v[1], v[2]};
+}
+inline double norm(const Vector& v) {
+  return std::sqrt(base::dot(v, v));
+}
+
+/// One face and the solid it belongs to.
+struct Face {
+  std::array<Index, 4> node;  ///< counter-clockwise seen from outside; triangles repeat the third
+  model::Id element = 0;      ///< whose face it is
+  Index part = -1;
+  double stiffness = 0.0;                ///< K A^2 / V [force/length]
+  double thickness = 0.0;                ///< V / A of the solid behind it, at the start [length]
+  double area = 0.0;                     ///< at the start [length^2]
+  std::int32_t owner = -1, across = -1;  ///< elements on this and on the other side; -1 none
+
+  int corners() const { return node[3] == node[2] ? 3 : 4; }
+};
+
+/// Normal of a face times its area (half the product of the diagonals, exact for plane faces).
+Vector area_normal(const Face& face, std::span<const double> position);
+
+class Surface {
+ public:
+  /// @param side     parts, or faces
+  /// @param inner    also keep faces between elements, which appear when elements are deleted
+  /// Errors: faces on no solid; faces that point inward (unless `orient`).
+  Surface(const discretisation::World& world, const model::Contact& contact, const model::ContactSide& side,
+          bool inner, bool orient, deck::Diagnostics& diagnostics);
+
+  /// Sets which elements are there.
+  void start(const discretisation::State& state);
+  /// Takes elements away. @return did the faces change?
+  bool erode(std::span<const model::Id> eroded);
+
+  const std::vector<Face>& faces() const { return faces_; }            ///< all there may ever be
+  const std::vector<std::int32_t>& active() const { return active_; }  ///< those there are, ascending
+  const std::vector<Index>& nodes() const { return nodes_; }           ///< of the active faces, ascending
+  /// Active faces at a node.
+  std::span<const std::int32_t> faces_at(Index node) const;
+  /// The active face across an edge of an active face; -1 for none or several.
+  std::int32_t neighbour(std::int32_t face, int edge) const {
+    return neighbour_[4 * static_cast<std::size_t>(face) + static_cast<std::size_t>(edge)];
+  }
+
+ private:
+  /// One side of a solid.
+  struct Side {
+    std::array<Index, 4> key;  // corners ascending; a triangle has -1 first
+    model::Segment face;
+    std::int32_t group, element;  // in the mesh
+  };
+  template <class Wanted>
+  std::vector<Side> sides_of(const Wanted& wanted) const;
+  void add_outer(bool inner, std::span<const Index> parts);
+  void add_listed(const model::Contact& contact, const model::ContactSide& side, bool orient,
+                  deck::Diagnostics& diagnostics);
+  void add_face(const model::Segment& segment, const Side& owner, std::int32_t across);
+  std::int32_t number(const Side& side);
+  void connect();
+
+  const discretisation::World& world_;
+  std::vector<Face> faces_;
+  std::vector<model::Id> elements_;  // owners of faces, by number
+  std::vector<char> alive_;          // [element]
+  std::unordered_map<model::Id, std::int32_t> number_;
+  std::vector<std::int32_t> active_, neighbour_;
+  std::vector<Index> nodes_;
+  std::vector<std::int32_t> place_, first_, list_;  // node -> place in nodes_; CSR of faces by place
+};
+
+}  // namespace cleave::solver

@@ -1,0 +1,74 @@
+#pragma once
+/// One place where two sides meet, and who finds such places.
+
+#include "solver/contact/surface.hpp"
+#include "solver/interaction.hpp"
+
+namespace cleave::solver {
+
+/// The force acts on the nodes a by the weights wa and, with the other sign, on the nodes b by wb; each set
+/// of weights sums to 1.
+struct Touch {
+  std::int64_t key[2];  ///< who touches whom, to find again what was remembered
+  Index a[4], b[4];     ///< unused ones have weight 0
+  double wa[4], wb[4];
+  Vector normal;                                                  ///< unit, from b to a
+  double depth = 0.0;                                             ///< how deep a is in b [length]
+  double stiffness = 0.0;                                         ///< [force/length]
+  double area = 0.0;                                              ///< [length^2]
+  std::int32_t face = -1;                                         ///< of side b, for messages
+  bool reverse = false;                                           ///< a is on side B of the card
+  Vector pressure{0, 0, 0}, friction{0, 0, 0}, viscous{0, 0, 0};  ///< forces on a, filled in later [force]
+};
+
+/// Velocity of a relative to b [length/time].
+inline Vector relative(const Touch& touch, std::span<const double> velocity) {
+  Vector v{0, 0, 0};
+  for (int i = 0; i < 4; ++i) {
+    if (touch.wa[i] != 0.0) v = v + touch.wa[i] * vector_at(velocity, touch.a[i]);
+    if (touch.wb[i] != 0.0) v = v - touch.wb[i] * vector_at(velocity, touch.b[i]);
+  }
+  return v;
+}
+
+/// What an interface remembers of a touch.
+struct Remembered {
+  double key[2];
+  double friction[3];  ///< last friction force on a [force]
+  double offset;       ///< depth that counts as none: initial penetration [length]
+  double depth;        ///< of the last step [length]
+};
+
+/// The touches of the step before, sorted by key.
+class Past {
+ public:
+  explicit Past(std::span<const double> values)
+      : list_(reinterpret_cast<const Remembered*>(values.data()), values.size() / (sizeof(Remembered) / 8)) {}
+  const Remembered* find(const std::int64_t key[2]) const {
+    const auto before = [&](const Remembered& r, const std::int64_t* k) {
+      return r.key[0] != static_cast<double>(k[0]) ? r.key[0] < static_cast<double>(k[0])
+                                                   : r.key[1] < static_cast<double>(k[1]);
+    };
+    const auto at = std::lower_bound(list_.begin(), list_.end(), key, before);
+    if (at == list_.end() || at->key[0] != static_cast<double>(key[0]) ||
+        at->key[1] != static_cast<double>(key[1]))
+      return nullptr;
+    return &*at;
+  }
+
+ private:
+  std::span<const Remembered> list_;
+};
+
+/// Finds the touches of one pair of sides.
+class Finder {
+ public:
+  virtual ~Finder() = default;
+  virtual void start(const discretisation::State& state) = 0;
+  virtual void erode(std::span<const model::Id> eroded) = 0;
+  /// Appends the touches at t_n in the order of their keys; the same for any number of threads.
+  virtual void find(const Moment& now, const Past& past, std::vector<Touch>& out) = 0;
+  virtual const Face& face(std::int32_t number) const = 0;
+};
+
+}  // namespace cleave::solver
