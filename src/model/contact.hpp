@@ -36,6 +36,7 @@ struct Contact {
   bool eroding = false;    ///< new faces appear where elements are deleted
   bool tied = false;
   bool offset = false;  ///< tied: by springs that keep the distance, not by projection
+  double tie_distance = 0.0;  ///< SAST < 0: farthest distance that is tied; 0: 5 % of a face [length]
   ContactSide a, b;     ///< b is empty for a single surface
 
   double static_friction = 0.0, dynamic_friction = 0.0;  ///< FS, FD, times FSF [-]

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "results/contact_pressure.hpp"
 #include "results/vtu_arrays.hpp"
 
 namespace cleave::results {
@@ -96,6 +98,14 @@ class Grid {
     nodal(xml, arrays, "displacement", [&](std::size_t i) { return position[i] - reference[i]; });
     nodal(xml, arrays, "velocity", [this](std::size_t i) { return frame_.velocity[i]; });
     nodal(xml, arrays, "acceleration", [this](std::size_t i) { return frame_.acceleration[i]; });
+    if (!frame_.contact_force.empty()) {
+      nodal(xml, arrays, "contact_force", [this](std::size_t i) { return frame_.contact_force[i]; });
+      const auto pressure = std::make_shared<std::vector<double>>(contact_pressure(frame_));
+      arrays.add(xml, real_type(), "contact_pressure", 1, real_bytes() * points_.size(),
+                 [this, pressure](WholeFile& file) {
+                   for (const std::size_t a : points_) real(file, (*pressure)[a]);
+                 });
+    }
     xml += "</PointData>\n<Points>\n";
     nodal(xml, arrays, "Points", [&](std::size_t i) { return position[i]; });
     xml += "</Points>\n";

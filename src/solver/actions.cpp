@@ -16,6 +16,7 @@ std::vector<std::unique_ptr<Constraint>> make_constraints(const discretisation::
                                                           deck::Diagnostics& diagnostics) {
   ConstraintList list;
   add_dashpots(world, list, diagnostics);
+  add_tied_nodes(world, list, diagnostics);
   add_rigid_walls(*world.model, list, diagnostics);
   add_held_nodes(*world.model, list, diagnostics);
   return list;

@@ -54,7 +54,7 @@ class Explicit final : public Solver {
     if (!loaded_.empty()) external_.resize(3 * world.node_count());
     held_.resize(3 * world.node_count());
     reactions_ = {held_, std::vector<WallForce>(model_.walls.size())};
-    interfaces_.resize(interactions_.size());
+    interfaces_.resize(model_.contacts.size());
     if (!interactions_.empty()) contact_force_.resize(3 * world.node_count());
   }
 
@@ -121,7 +121,7 @@ class Explicit final : public Solver {
     for (std::size_t c = 0; c < constraints_.size(); ++c)
       constraints_[c]->report(state.memory[constraint_memory_[c]].values, reactions_);
     for (std::size_t i = 0; i < interactions_.size(); ++i)
-      interfaces_[i] = interactions_[i]->report(state.memory[interaction_memory_[i]].values);
+      interfaces_[interactions_[i]->contact()] = interactions_[i]->report(state.memory[interaction_memory_[i]].values);
     return {};
   }
 
@@ -235,8 +235,8 @@ class Explicit final : public Solver {
       base::Array<double>& memory = state.memory[interaction_memory_[i]].values;
       interactions_[i]->settle(now, memory, a);
       interactions_[i]->add_nodal(contact_force_);
-      interfaces_[i] = interactions_[i]->report(memory);
-      sliding += interfaces_[i].energy();
+      interfaces_[interactions_[i]->contact()] = interactions_[i]->report(memory);
+      sliding += interfaces_[interactions_[i]->contact()].energy();
     }
     if (model_.control.energy.sliding) state.energy.sliding = sliding;
   }
@@ -308,6 +308,10 @@ class Explicit final : public Solver {
             reactions_.walls,
             static_cast<model::Id>(state.memory[numbers_].values[step_element]),
             eroded_,
+            {},
+            nullptr,
+            {},
+            {},
             interfaces_,
             contact_force_};
   }

@@ -16,7 +16,8 @@ struct ContactOutput {
 class Interaction {
  public:
   virtual ~Interaction() = default;
-  virtual std::string name() const = 0;  ///< of its memory in the State
+  virtual std::size_t contact() const = 0;  ///< index into Model::contacts
+  virtual std::string name() const = 0;     ///< of its memory in the State
   virtual base::Array<double> first_memory() const = 0;
   /// Before the first step of a run, or of a run that goes on: which elements are there.
   virtual void start(const discretisation::State& state) = 0;

@@ -162,8 +162,10 @@ void take_contact(Draft& draft, const Entry& entry) {
   if (contact.scale_a < 0.0 || contact.scale_b < 0.0)
     draft.error(entry, contact.scale_a < 0.0 ? "SFSA" : "SFSB",
                 "a scale of the stiffness cannot be negative");
+  if (contact.tied && entry.real("SAST", a_length) < 0.0)
+    contact.tie_distance = -entry.real("SAST", a_length);
   take_method(draft, entry, contact);
-  if (contact.soft == 2 && contact.a.segments.empty()) {
+  if (!contact.tied && contact.soft == 2 && contact.a.segments.empty()) {
     draft.warning(entry, "SOFT", "segment to segment contact needs faces on side A",
                   "the stiffness is taken from masses and step (SOFT 1)");
     contact.soft = 1;
@@ -197,19 +199,41 @@ constexpr std::string_view unused =
     "SAPR SBPR PENCHK SAST SBST SFSAT SFSBT SBOPT DEPTH BSORT FRCFRQ THKOPT SHLTHK SNLOG ISYM I2D3D IGAP "
     "FLANGL EROSOP IADJ MPP_IGNORE BCKT LCBCKT NS2TRK INITITR PARMAX CHKSEGS GRPABLE DTPCHK Q2TRI SHLEDG "
     "IGNROFF SHLOFF TIEDID SRNDE";
-constexpr std::string_view tied_fields = "CID HEADING SURFA SURFB SURFATYP SURFBTYP BT DT SFSA SFSB";
 constexpr std::string_view remark = "between surfaces of solids; see the page on contact";
 
+/// Ties have no friction and one method each.
+constexpr std::string_view tied_fields = "CID HEADING SURFA SURFB SURFATYP SURFBTYP BT DT SFSA SFSB SAST";
+constexpr std::string_view tied_unused =
+    "SAPR SBPR PENCHK SBST SFSAT SFSBT FS FD DC VC VDC FSF VSF SOFT SOFSCL SBOPT DEPTH BSORT FRCFRQ MAXPAR "
+    "THKOPT "
+    "SHLTHK SNLOG ISYM I2D3D IGAP IGNORE FLANGL MPP_IGNORE BCKT LCBCKT NS2TRK INITITR PARMAX CHKSEGS GRPABLE "
+    "DTPCHK IGNROFF SHLOFF TIEDID";
+
+/// All contacts that push take the same fields.
+constexpr Handler pushing(std::string_view keyword) {
+  return {keyword, Phase::action, fields, unused, take_contact, nullptr, remark};
+}
+
+constexpr Handler tying(std::string_view keyword) {
+  return {keyword, Phase::action, tied_fields, tied_unused, take_contact, nullptr, remark};
+}
+
 constexpr Handler handlers[] = {
-    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", Phase::action, fields, unused, take_contact, nullptr, remark},
-    {"CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", Phase::action, fields, unused, take_contact, nullptr,
-     remark},
-    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", Phase::action, fields, unused, take_contact, nullptr, remark},
-    {"CONTACT_SURFACE_TO_SURFACE", Phase::action, fields, unused, take_contact, nullptr, remark},
-    {"CONTACT_ONE_WAY_SURFACE_TO_SURFACE", Phase::action, fields, unused, take_contact, nullptr, remark},
-    {"CONTACT_NODES_TO_SURFACE", Phase::action, fields, unused, take_contact, nullptr, remark},
-    {"CONTACT_FORMING_ONE_WAY_SURFACE_TO_SURFACE", Phase::action, fields, unused, take_contact, nullptr,
-     remark},
+    pushing("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE"),
+    pushing("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"),
+    pushing("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
+    pushing("CONTACT_AUTOMATIC_SINGLE_SURFACE"),
+    pushing("CONTACT_SURFACE_TO_SURFACE"),
+    pushing("CONTACT_ONE_WAY_SURFACE_TO_SURFACE"),
+    pushing("CONTACT_NODES_TO_SURFACE"),
+    pushing("CONTACT_SINGLE_SURFACE"),
+    pushing("CONTACT_ERODING_SURFACE_TO_SURFACE"),
+    pushing("CONTACT_ERODING_NODES_TO_SURFACE"),
+    pushing("CONTACT_ERODING_SINGLE_SURFACE"),
+    pushing("CONTACT_FORMING_ONE_WAY_SURFACE_TO_SURFACE"),
+    tying("CONTACT_TIED_NODES_TO_SURFACE"),
+    tying("CONTACT_TIED_SURFACE_TO_SURFACE"),
+    tying("CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET"),
     {.keyword = "CONTROL_CONTACT",
      .phase = Phase::definition,
      .honoured = "SLSFAC PENOPT ORIEN IGNORE",

@@ -129,7 +129,7 @@ class ActionWriter {
     out_.line({c.a.id, single ? Id(0) : c.b.id, c.a.type, single ? 0 : c.b.type});
     out_.line({c.static_friction, c.dynamic_friction, c.friction_decay, c.viscous_limit, 100.0 * c.damping, 0,
                c.birth, c.death});
-    out_.line({c.scale_a, c.scale_b});
+    out_.line({c.scale_a, c.scale_b, c.tie_distance > 0.0 ? -c.tie_distance : 0.0});
     if (c.eroding) out_.line({0, 1, 1});
     if (c.tied) return;
     out_.line({c.soft, c.soft_scale, 0, c.extension});

@@ -11,6 +11,7 @@ namespace cleave::solver {
 using ConstraintList = std::vector<std::unique_ptr<Constraint>>;
 
 void add_dashpots(const discretisation::World& world, ConstraintList& list, deck::Diagnostics& diagnostics);
+void add_tied_nodes(const discretisation::World& world, ConstraintList& list, deck::Diagnostics& diagnostics);
 void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
 void add_held_nodes(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
 

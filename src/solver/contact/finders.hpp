@@ -24,4 +24,21 @@ std::unique_ptr<Finder> make_node_finder(const NodeSides& sides, const model::Co
 std::unique_ptr<Finder> make_segment_finder(std::shared_ptr<Surface> a, std::shared_ptr<Surface> b,
                                             const model::Contact& contact, double factor, int rule);
 
+/// Springs between faces that lie on each other at the start, for tied contacts with an offset.
+std::unique_ptr<Interaction> make_tied_faces(const discretisation::World& world, std::size_t number,
+                                             deck::Diagnostics& diagnostics);
+
+/// Says which nodes penetrate at the start and how deep; refuses those more than an element below the
+/// surface.
+/// @param finders  of nodes against faces
+void report_initial(const model::Model& model, const model::Contact& contact,
+                    const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics);
+
+/// What turns touches into forces and remembers them.
+/// @param force_scale  what a force of this contact may well be [force]
+/// @param stiffest     largest stiffness of its faces [force/length]
+std::unique_ptr<Interaction> make_interface(const model::Model& model, std::size_t number,
+                                            std::vector<std::unique_ptr<Finder>> finders, double force_scale,
+                                            double stiffest);
+
 }  // namespace cleave::solver

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/threads.hpp"
+#include "solver/contact/balanced.hpp"
 #include "solver/contact/finders.hpp"
 #include "solver/ordered_sum.hpp"
 
@@ -27,61 +28,6 @@ struct Spent {
   }
 };
 
-/// Adds a force on the nodes a and its opposite on the nodes b so that the integers cancel exactly.
-class Balanced {
- public:
-  explicit Balanced(ForceSum& sum) : sum_(sum) {}
-
-  void add(const Touch& touch, const Vector& force) {
-    const double f[3] = {force.x, force.y, force.z};
-    for (int i = 0; i < 3; ++i) {
-      if (f[i] == 0.0) continue;
-      largest_ = std::max(largest_, std::abs(f[i]));
-      if (std::abs(f[i]) < 0.25 * sum_.limit())
-        integers(touch, i, f[i]);
-      else
-        values(touch, i, f[i]);
-    }
-  }
-  double largest() const { return largest_; }
-
- private:
-  void integers(const Touch& touch, int i, double f) {
-    std::int64_t rest = 0;
-    int last = 0;
-    for (int k = 0; k < 4; ++k) {
-      if (touch.wa[k] != 0.0) give(touch.a[k], i, sum_.quantum(touch.wa[k] * f), rest);
-      if (touch.wb[k] != 0.0) give(touch.b[k], i, sum_.quantum(-touch.wb[k] * f), rest), last = k;
-    }
-    sum_.add(touch.b[last], i, -rest, true);
-  }
-  void give(Index node, int i, std::int64_t integer, std::int64_t& rest) {
-    sum_.add(node, i, integer, true);
-    rest += integer;
-  }
-  /// Beyond the range of the sum: parts that are multiples of one power of two, so that each is exact in
-  /// whatever scale it is summed.
-  void values(const Touch& touch, int i, double f) {
-    int exponent = 0;
-    std::frexp(f, &exponent);
-    const double unit = std::ldexp(1.0, exponent - 17);
-    double rest = 0.0;
-    int last = 0;
-    const auto part = [&](Index node, double value) {
-      const double whole = unit * std::nearbyint(value / unit);
-      sum_.add_value(node, i, whole);
-      rest += whole;
-    };
-    for (int k = 0; k < 4; ++k) {
-      if (touch.wa[k] != 0.0) part(touch.a[k], touch.wa[k] * f);
-      if (touch.wb[k] != 0.0) part(touch.b[k], -touch.wb[k] * f), last = k;
-    }
-    sum_.add_value(touch.b[last], i, -rest);
-  }
-  ForceSum& sum_;
-  double largest_ = 0.0;
-};
-
 class Interface final : public Interaction {
  public:
   Interface(const model::Model& model, const model::Contact& contact, std::size_t number,
@@ -93,6 +39,7 @@ class Interface final : public Interaction {
         force_scale_(force_scale),
         rate_scale_(stiffest > 0.0 ? 0x1p36 / stiffest : 1.0) {}
 
+  std::size_t contact() const override { return number_; }
   std::string name() const override { return "contact " + std::to_string(number_); }
   base::Array<double> first_memory() const override {
     base::Array<double> memory(head, 0.0);
@@ -197,16 +144,8 @@ class Interface final : public Interaction {
   }
 
   void add_nodal(std::span<double> force) const override {
-    for (const Touch& touch : touches_) {
-      const Vector f = touch.pressure + touch.friction + touch.viscous;
-      for (int k = 0; k < 4; ++k)
-        for (const auto& [node, share] : {std::pair{touch.a[k], touch.wa[k]}, {touch.b[k], -touch.wb[k]}}) {
-          double* to = &force[3 * static_cast<std::size_t>(node)];
-          to[0] += share * f.x;
-          to[1] += share * f.y;
-          to[2] += share * f.z;
-        }
-    }
+    for (const Touch& touch : touches_)
+      add_touch(touch, touch.pressure + touch.friction + touch.viscous, force);
   }
 
  private:
@@ -368,43 +307,11 @@ class Interface final : public Interaction {
 
 }  // namespace
 
-std::vector<std::unique_ptr<Interaction>> make_interactions(const discretisation::World& world,
-                                                            deck::Diagnostics& diagnostics) {
-  using Search = model::Contact::Search;
-  std::vector<std::unique_ptr<Interaction>> list;
-  const model::Model& model = *world.model;
-  const model::ContactControl& control = model.control.contact;
-  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-    const model::Contact& contact = model.contacts[c];
-    const bool orient = contact.automatic || control.orient == 2;
-    const auto surface = [&](const model::ContactSide& side) {
-      return std::make_shared<Surface>(world, contact, side, contact.eroding, orient, diagnostics);
-    };
-    model::ContactSide around = contact.a;  // faces around the nodes of a set: those of all parts
-    if (contact.a.segments.empty())
-      for (Index p = 0; p < static_cast<Index>(model.parts.size()); ++p) around.parts.push_back(p);
-    const auto a = surface(around);
-    const auto b = contact.search == Search::single ? a : surface(contact.b);
-
-    std::vector<std::unique_ptr<Finder>> finders;
-    const std::vector<Index> only = contact.a.segments.empty() ? contact.a.nodes : std::vector<Index>();
-    if (contact.soft == 2)
-      finders.push_back(make_segment_finder(a, b, contact, control.stiffness, control.penalty));
-    else
-      finders.push_back(make_node_finder({only, a, b, false, contact.search == Search::single}, contact,
-                                         control.stiffness, control.penalty));
-    if (contact.soft != 2 && contact.search == Search::two_way)
-      finders.push_back(
-          make_node_finder({{}, b, a, true, false}, contact, control.stiffness, control.penalty));
-    double scale = 0.0, stiffest = 0.0;
-    for (const Surface* one : {a.get(), b.get()})
-      for (const Face& face : one->faces()) {
-        scale = std::max(scale, 1e-3 * face.stiffness * face.thickness);
-        stiffest = std::max(stiffest, face.stiffness);
-      }
-    list.push_back(std::make_unique<Interface>(model, contact, c, std::move(finders), scale, stiffest));
-  }
-  return list;
+std::unique_ptr<Interaction> make_interface(const model::Model& model, std::size_t number,
+                                            std::vector<std::unique_ptr<Finder>> finders, double force_scale,
+                                            double stiffest) {
+  return std::make_unique<Interface>(model, model.contacts[number], number, std::move(finders), force_scale,
+                                     stiffest);
 }
 
 }  // namespace cleave::solver

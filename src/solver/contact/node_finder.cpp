@@ -187,7 +187,9 @@ class NodeFinder final : public Finder {
       // So deep only if it was in touch before, or has just come through.
       const double came = -touch.depth - dot(relative(touch, now.velocity), touch.normal) * now.step_before;
       const bool was = past.find(touch.key) != nullptr;
-      if (!was && came < 0.0) return;
+      const bool start = now.step_before == 0.0 && !single_;
+      if (!was && !start && came < 0.0) return;
+      if (start && touch.depth > keep_depth * target.thickness) return;
     }
     const double of_node = node_factor_ * slave.stiffness, of_face = face_factor_ * target.stiffness;
     const bool has_node = slave.normals > 0;

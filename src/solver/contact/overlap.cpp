@@ -115,7 +115,7 @@ bool same(const Vector& a, const Vector& b) {
 
 }  // namespace
 
-bool overlap(const Vector a[4], const Vector b[4], Overlap& out) {
+bool overlap(const Vector a[4], const Vector b[4], Overlap& out, std::vector<SharedPoint>* whole) {
   Vector na = cross(a[2] - a[0], a[3] - a[1]), nb = cross(b[2] - b[0], b[3] - b[1]);
   const double la = norm(na), lb = norm(nb);
   if (!(la > 0.0 && lb > 0.0)) return false;
@@ -144,30 +144,40 @@ bool overlap(const Vector a[4], const Vector b[4], Overlap& out) {
   if (shared.count < 3) return false;
   out.area = shared.area();
   if (!(out.area > 1e-12 * std::min(la, lb))) return false;
+  // The middles of the edges of a fan of triangles: exact to second degree.
+  const auto each_point = [&](const Polygon& polygon, const auto& visit) {
+    for (int i = 2; i < polygon.count; ++i) {
+      const Point tri[3] = {polygon.p[0], polygon.p[i - 1], polygon.p[i]};
+      const double third = cross2(tri[0], tri[1], tri[2]) / 6.0;
+      if (!(third > 0.0)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const Point q{0.5 * (tri[k].x + tri[(k + 1) % 3].x), 0.5 * (tri[k].y + tri[(k + 1) % 3].y)};
+        SharedPoint point{third, 0.0, {}, {}};
+        sa.weights(q, point.wa);
+        sb.weights(q, point.wb);
+        for (int c = 0; c < 4; ++c) point.gap += point.wb[c] * sb.z[c] - point.wa[c] * sa.z[c];
+        visit(point);
+      }
+    }
+  };
+  if (whole) {
+    each_point(shared, [&](const SharedPoint& point) { whole->push_back(point); });
+    return !whole->empty();
+  }
   const Polygon deep = cut(shared, [&](const Point& c) { return sb.plane(c) - sa.plane(c); });
   if (deep.count < 3) return false;
 
   out.deep_area = out.volume = 0.0;
   for (int i = 0; i < 4; ++i) out.wa[i] = out.wb[i] = 0.0;
-  for (int i = 2; i < deep.count; ++i) {
-    const Point tri[3] = {deep.p[0], deep.p[i - 1], deep.p[i]};
-    const double third = cross2(tri[0], tri[1], tri[2]) / 6.0;
-    if (!(third > 0.0)) continue;
-    out.deep_area += 3.0 * third;
-    for (int k = 0; k < 3; ++k) {  // the middles of the edges: exact to second degree
-      const Point q{0.5 * (tri[k].x + tri[(k + 1) % 3].x), 0.5 * (tri[k].y + tri[(k + 1) % 3].y)};
-      double wa[4], wb[4], gap = 0.0;
-      sa.weights(q, wa);
-      sb.weights(q, wb);
-      for (int c = 0; c < 4; ++c) gap += wb[c] * sb.z[c] - wa[c] * sa.z[c];
-      if (!(gap > 0.0)) continue;
-      out.volume += third * gap;
-      for (int c = 0; c < 4; ++c) {
-        out.wa[c] += third * gap * wa[c];
-        out.wb[c] += third * gap * wb[c];
-      }
+  each_point(deep, [&](const SharedPoint& point) {
+    out.deep_area += point.area;
+    if (!(point.gap > 0.0)) return;
+    out.volume += point.area * point.gap;
+    for (int c = 0; c < 4; ++c) {
+      out.wa[c] += point.area * point.gap * point.wa[c];
+      out.wb[c] += point.area * point.gap * point.wb[c];
     }
-  }
+  });
   if (!(out.volume > 0.0)) return false;
   for (int c = 0; c < 4; ++c) {
     out.wa[c] /= out.volume;

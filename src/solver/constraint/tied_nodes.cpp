@@ -1,0 +1,146 @@
+/// *CONTACT_TIED_...: nodes that follow a point of a face. Forces and masses of the nodes are given to the
+/// corners of the faces, by the weights of the point, so momentum is kept. Theory: docs/solver/contact.md.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/threads.hpp"
+#include "solver/constraint/kinds.hpp"
+#include "solver/contact/ties.hpp"
+
+namespace cleave::solver {
+namespace {
+
+constexpr std::size_t grain = 512;
+
+class TiedNodes final : public Constraint {
+ public:
+  TiedNodes(const model::Contact& contact, std::size_t number, std::vector<Tie> ties, std::size_t node_count)
+      : contact_(contact), number_(number), ties_(std::move(ties)) {
+    // For each corner the ties that load it, in the order of the ties.
+    std::vector<std::int32_t> count(node_count, 0);
+    for (const Tie& tie : ties_)
+      for (int k = 0; k < 4; ++k)
+        if (tie.weight[k] != 0.0) ++count[static_cast<std::size_t>(tie.corner[k])];
+    std::vector<std::int32_t> place(node_count, -1);
+    first_.push_back(0);
+    for (std::size_t a = 0; a < node_count; ++a) {
+      if (count[a] == 0) continue;
+      place[a] = static_cast<std::int32_t>(corners_.size());
+      corners_.push_back(static_cast<Index>(a));
+      first_.push_back(first_.back() + count[a]);
+    }
+    list_.resize(static_cast<std::size_t>(first_.back()));
+    std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t t = 0; t < ties_.size(); ++t)
+      for (int k = 0; k < 4; ++k)
+        if (ties_[t].weight[k] != 0.0) {
+          const auto at = static_cast<std::size_t>(place[static_cast<std::size_t>(ties_[t].corner[k])]);
+          list_[static_cast<std::size_t>(next[at]++)] = {static_cast<std::int32_t>(t), ties_[t].weight[k]};
+        }
+    for (const Tie& tie : ties_) nodes_.push_back(tie.node);
+    nodes_.insert(nodes_.end(), corners_.begin(), corners_.end());
+    momentum_.resize(3 * ties_.size());
+  }
+
+  std::string name() const override { return "tied " + std::to_string(number_); }
+  base::Array<double> first_memory(const discretisation::State&) const override { return {}; }
+
+  void correct(const Moment& now, std::span<double>, std::span<double> acceleration) override {
+    active_ = now.time >= contact_.birth && now.time < contact_.death;
+    if (!active_) return;
+    // Each node gives the momentum it would have, but for what brings it back to its place on the face.
+    base::for_each_range(ties_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        const Tie& tie = ties_[t];
+        const double mass = now.mass[static_cast<std::size_t>(tie.node)];
+        for (int i = 0; i < 3; ++i)
+          momentum_[3 * t + static_cast<std::size_t>(i)] =
+              mass * (free(now, acceleration, tie.node, i) - catch_up(now, tie, i));
+      }
+    });
+    // Corners share it out.
+    base::for_each_range(corners_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        const Index node = corners_[c];
+        const double own = now.mass[static_cast<std::size_t>(node)];
+        double mass = own, momentum[3];
+        for (int i = 0; i < 3; ++i) momentum[i] = own * free(now, acceleration, node, i);
+        for (std::int32_t k = first_[c]; k < first_[c + 1]; ++k) {
+          const Share& share = list_[static_cast<std::size_t>(k)];
+          const auto t = static_cast<std::size_t>(share.tie);
+          mass += share.weight * now.mass[static_cast<std::size_t>(ties_[t].node)];
+          for (std::size_t i = 0; i < 3; ++i) momentum[i] += share.weight * momentum_[3 * t + i];
+        }
+        if (!(mass > 0.0)) continue;
+        for (int i = 0; i < 3; ++i) set(now, acceleration, node, i, momentum[i] / mass);
+      }
+    });
+    base::for_each_range(ties_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        const Tie& tie = ties_[t];
+        for (int i = 0; i < 3; ++i) {
+          double v = catch_up(now, tie, i);
+          for (int k = 0; k < 4; ++k)
+            if (tie.weight[k] != 0.0) v += tie.weight[k] * free(now, acceleration, tie.corner[k], i);
+          set(now, acceleration, tie.node, i, v);
+        }
+      }
+    });
+  }
+
+  std::span<const Index> corrected() const override {
+    return active_ ? std::span<const Index>(nodes_) : std::span<const Index>();
+  }
+  /// Forces within the body: none comes from outside.
+  Halves work(const Moment&, std::span<const double>, std::span<const double>) const override { return {}; }
+  void report(std::span<const double>, Reactions&) const override {}
+
+ private:
+  struct Share {
+    std::int32_t tie;
+    double weight;
+  };
+  static double free(const Moment& now, std::span<const double> acceleration, Index node, int i) {
+    const std::size_t at = 3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i);
+    return now.velocity[at] + acceleration[at] * now.interval();
+  }
+  static void set(const Moment& now, std::span<double> acceleration, Index node, int i, double velocity) {
+    const std::size_t at = 3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i);
+    acceleration[at] = (velocity - now.velocity[at]) / now.interval();
+  }
+  /// Velocity that takes a node to its place within the step [length/time].
+  static double catch_up(const Moment& now, const Tie& tie, int i) {
+    const auto at = [&](Index node) {
+      return now.position[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i)];
+    };
+    double place = tie.offset[i];
+    for (int k = 0; k < 4; ++k)
+      if (tie.weight[k] != 0.0) place += tie.weight[k] * at(tie.corner[k]);
+    return (place - at(tie.node)) / now.step;
+  }
+
+  const model::Contact& contact_;
+  std::size_t number_;
+  std::vector<Tie> ties_;
+  std::vector<Index> corners_, nodes_;
+  std::vector<std::int32_t> first_;
+  std::vector<Share> list_;
+  std::vector<double> momentum_;  // [tie][3]
+  bool active_ = false;
+};
+
+}  // namespace
+
+void add_tied_nodes(const discretisation::World& world, ConstraintList& list,
+                    deck::Diagnostics& diagnostics) {
+  for (std::size_t c = 0; c < world.model->contacts.size(); ++c) {
+    const model::Contact& contact = world.model->contacts[c];
+    if (!contact.tied || contact.offset) continue;
+    std::vector<Tie> ties = find_ties(world, contact, diagnostics);
+    if (!ties.empty())
+      list.push_back(std::make_unique<TiedNodes>(contact, c, std::move(ties), world.node_count()));
+  }
+}
+
+}  // namespace cleave::solver

@@ -1,0 +1,215 @@
+/// Bodies that meet: conservation, bad input, what ends a run.
+
+#include <gtest/gtest.h>
+
+#include "deck/deck.hpp"
+#include "solver/solver.hpp"
+
+namespace cleave::solver::test {
+namespace {
+
+using discretisation::State;
+using model::Vector;
+
+/// A run of deck text.
+struct Run {
+  deck::Diagnostics diagnostics;
+  model::Account account;
+  model::Model model;
+  discretisation::World world;
+  State state;
+  Outcome outcome;
+
+  explicit Run(const std::string& text, std::int64_t stop = 0) {
+    const deck::Deck deck = deck::Deck::read_text(text + "*END\n", "test.k", {}, diagnostics);
+    model = model::build(deck, {}, diagnostics, account);
+    if (diagnostics.failed()) return;
+    world = discretisation::build(model, diagnostics);
+    const auto solver = make_explicit(world, {stop}, diagnostics);
+    if (diagnostics.failed()) return;
+    EXPECT_TRUE(discretisation::initialise(world, state).ok);
+    Wishes wishes;
+    outcome = solver->advance(state, {}, wishes);
+  }
+  std::string text() const {
+    std::string all;
+    for (const auto& d : diagnostics.all()) all += d.field + ": " + d.message + "\n";
+    return all;
+  }
+  bool says(deck::Severity severity, std::string_view phrase) const {
+    for (const auto& d : diagnostics.all())
+      if (d.severity == severity && d.message.find(phrase) != std::string::npos) return true;
+    return false;
+  }
+
+  Vector momentum() const {
+    Vector sum{0, 0, 0};
+    for (std::size_t a = 0; a < state.mass.size(); ++a)
+      sum = sum + state.mass[a] *
+                      Vector{state.velocity[3 * a], state.velocity[3 * a + 1], state.velocity[3 * a + 2]};
+    return sum;
+  }
+  /// With the half-step velocity, for which it is conserved exactly.
+  Vector spin() const {
+    Vector sum{0, 0, 0};
+    for (std::size_t a = 0; a < state.mass.size(); ++a) {
+      const double *x = &state.position[3 * a], *v = &state.velocity[3 * a];
+      sum = sum + state.mass[a] * base::cross(Vector{x[0], x[1], x[2]}, Vector{v[0], v[1], v[2]});
+    }
+    return sum;
+  }
+};
+
+double size(const Vector& v) {
+  return std::sqrt(base::dot(v, v));
+}
+
+/// A cube of 3 x 3 x 3 elements and side 1, turned about z and then x, centre moved, with a velocity and a
+/// turn rate about z.
+std::string cube(int part, Vector centre, double about_z, double about_x, Vector velocity, double rate) {
+  const int first = 1000 * part;
+  std::string nodes = "*NODE\n", elements = "*ELEMENT_SOLID\n", initial = "*INITIAL_VELOCITY_NODE\n";
+  const auto id = [&](int i, int j, int k) { return first + 16 * k + 4 * j + i; };
+  const auto line = [](std::string& to, const char* format, auto... values) {
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    to += text;
+  };
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) {
+        const double u = i / 3.0 - 0.5, v = j / 3.0 - 0.5, w = k / 3.0 - 0.5;
+        const double x = std::cos(about_z) * u - std::sin(about_z) * v,
+                     y0 = std::sin(about_z) * u + std::cos(about_z) * v;
+        const double y = std::cos(about_x) * y0 - std::sin(about_x) * w,
+                     z = std::sin(about_x) * y0 + std::cos(about_x) * w;
+        line(nodes, "%d,%.17g,%.17g,%.17g\n", id(i, j, k), centre.x + x, centre.y + y, centre.z + z);
+        line(initial, "%d,%.17g,%.17g,%.17g\n", id(i, j, k), velocity.x - rate * y, velocity.y + rate * x,
+             velocity.z);
+      }
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        line(elements, "%d,%d,%d,%d,%d,%d,%d,%d,%d,%d\n", first + 9 * k + 3 * j + i, part, id(i, j, k),
+             id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1),
+             id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1));
+  return nodes + elements + initial + "*PART\ncube\n" + std::to_string(part) + ",1,1,0,1\n";
+}
+
+std::string head(double end) {
+  return "*KEYWORD\n*CONTROL_TERMINATION\n" + std::to_string(end) +
+         "\n*CONTROL_ENERGY\n2,2,2,2\n*MAT_ELASTIC\n1,1.0,100.0,0.3\n*SECTION_SOLID\n1,1\n*HOURGLASS\n1,6,0."
+         "1\n";
+}
+
+std::string contact(const std::string& kind, int soft, const std::string& second = "", double scale = 1.0) {
+  return "*CONTACT_" + kind + "\n1,2,3,3\n" + (second.empty() ? "0,0" : second) + "\n" +
+         std::to_string(scale) + "," + std::to_string(scale) + "\n" + std::to_string(soft) + ",0.1\n";
+}
+
+// Turning cubes meet with a corner, an edge, a face: momentum and angular momentum are kept, energy within 1
+// %.
+TEST(Contact, TurningCubesKeepMomentum) {
+  const struct {
+    const char* name;
+    double about_z, about_x;
+  } poses[] = {{"corner", 0.7853981633974483, 0.9553166181245093},
+               {"edge", 0.7853981633974483, 0.0},
+               {"face", 0.0, 0.0}};
+  for (const auto& pose : poses)
+    for (const int soft : {0, 1, 2}) {
+      const std::string bodies =
+          head(1.0) + cube(1, {0, 0, 0}, 0.3, 0.2, {0, 0, 0}, 0.4) +
+          cube(2, {1.75, 0.13, 0.21}, pose.about_z, pose.about_x, {-1.0, 0.1, 0}, -0.5);
+      const Run start(bodies + contact("AUTOMATIC_SURFACE_TO_SURFACE", soft), 1);
+      const Run run(bodies + contact("AUTOMATIC_SURFACE_TO_SURFACE", soft));
+      ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+      EXPECT_EQ(run.outcome.ending, Ending::end_time) << pose.name << soft << run.outcome.status.what;
+      EXPECT_LT(size(run.momentum() - start.momentum()), 1e-13) << pose.name << soft;
+      EXPECT_LT(size(run.spin() - start.spin()), 1e-9) << pose.name << soft;
+      EXPECT_NEAR(run.state.energy.ratio(), 1.0, 0.01) << pose.name << soft;
+      EXPECT_GT(std::abs(run.state.energy.internal) + std::abs(run.momentum().x - start.momentum().x), 1e-4)
+          << "they never met: " << pose.name << soft;
+    }
+}
+
+// With friction momentum is still exact, and friction only takes energy.
+TEST(Contact, FrictionTakesEnergy) {
+  for (const int soft : {0, 2}) {
+    const std::string bodies = head(1.0) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
+                               cube(2, {1.05, 0.2, 0}, 0, 0, {-0.5, 0.5, 0}, 0.0);
+    const Run start(bodies + contact("AUTOMATIC_SURFACE_TO_SURFACE", soft, "0.3,0.3,0,0,10"), 1);
+    const Run run(bodies + contact("AUTOMATIC_SURFACE_TO_SURFACE", soft, "0.3,0.3,0,0,10"));
+    ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+    EXPECT_LT(size(run.momentum() - start.momentum()), 1e-13);
+    EXPECT_GT(run.state.energy.sliding, 1e-3);
+    EXPECT_NEAR(run.state.energy.ratio(), 1.0, 0.01);
+  }
+}
+
+// Far too soft a contact lets a body through: the run stops and names the place.
+TEST(Contact, TunnellingEndsTheRun) {
+  const Run run(head(1.0) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
+                cube(2, {1.05, 0.1, 0.1}, 0, 0, {-1, 0, 0}, 0.0) +
+                contact("AUTOMATIC_SURFACE_TO_SURFACE", 0, "", 1e-6));
+  EXPECT_EQ(run.outcome.ending, Ending::physics);
+  EXPECT_NE(run.outcome.status.what.find("contact 1: node"), std::string::npos) << run.outcome.status.what;
+  EXPECT_GT(run.outcome.status.element, 0);
+}
+
+// What overlaps at the start is said, gives no force, and is refused where it is deep.
+TEST(Contact, InitialPenetration) {
+  const auto two = [](double gap) {
+    return head(0.2) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
+           cube(2, {1.0 + gap, 0, 0}, 0, 0, {0, 0, 0}, 0.0);
+  };
+  for (const int soft : {0, 1, 2}) {
+    const Run run(two(-0.02) + contact("AUTOMATIC_SURFACE_TO_SURFACE", soft));
+    EXPECT_TRUE(run.says(deck::Severity::warning, "penetrate at the start, by up to 0.02")) << run.text();
+    EXPECT_LT(run.state.energy.kinetic, 1e-20);
+  }
+  EXPECT_FALSE(
+      Run(two(0.02) + contact("AUTOMATIC_SURFACE_TO_SURFACE", 0)).says(deck::Severity::warning, "penetrate"));
+  const Run deep(two(-0.5) + contact("AUTOMATIC_SURFACE_TO_SURFACE", 0));
+  EXPECT_TRUE(deep.says(deck::Severity::error, "lies deep in element")) << deep.text();
+}
+
+TEST(Contact, BadInputIsNamed) {
+  const std::string bodies =
+      head(0.1) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) + cube(2, {1.1, 0, 0}, 0, 0, {0, 0, 0}, 0.0);
+  const auto error = [&](const std::string& text, std::string_view phrase) {
+    const Run run(bodies + text);
+    EXPECT_TRUE(run.says(deck::Severity::error, phrase)) << run.text();
+  };
+  error("*CONTACT_SURFACE_TO_SURFACE\n1,2,3,3\n-0.1\n\n", "expected 0 or more");
+  error("*CONTACT_SURFACE_TO_SURFACE\n1,3,3,3\n\n\n*PART\nempty\n3,1,1\n", "no surface");
+  error("*CONTACT_SURFACE_TO_SURFACE\n9,2,2,3\n\n\n", "set 9");
+  error("*CONTACT_SURFACE_TO_SURFACE\n5,2,4,3\n\n\n*SET_NODE_LIST\n5\n1000\n", "no faces");
+  // A face that points into its solid: x = 0.5 of cube 1 has nodes 1003 1007 1023 1019 seen from outside.
+  error("*SET_SEGMENT\n4\n1003,1019,1023,1007\n*CONTACT_SURFACE_TO_SURFACE\n4,2,0,3\n\n\n", "not consistent");
+  error("*SET_SEGMENT\n4\n1003,1007,2023,2019\n*CONTACT_SURFACE_TO_SURFACE\n4,2,0,3\n\n\n",
+        "no face of a solid");
+  error("*CONTACT_TIED_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n", "no node of tied contact");
+  const Run turned(
+      bodies + "*SET_SEGMENT\n4\n1003,1019,1023,1007\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n4,2,0,3\n\n\n");
+  EXPECT_FALSE(turned.diagnostics.failed()) << turned.text();
+}
+
+// Two cubes tied at unlike meshes, thrown and turning: they stay one, momentum is kept.
+TEST(Contact, TiedCubesFlyAsOne) {
+  for (const std::string kind :
+       {"TIED_SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE", "TIED_SURFACE_TO_SURFACE_OFFSET"}) {
+    const std::string bodies = head(2.0) + cube(1, {0, 0, 0}, 0, 0, {0.3, 0, 0}, 0.5) +
+                               cube(2, {1.0, 0.1, 0.2}, 0, 0, {0.3 - 0.5 * 0.1, 0.5, 0}, 0.5);
+    const Run start(bodies + "*CONTACT_" + kind + "\n1,2,3,3\n\n\n", 1),
+        run(bodies + "*CONTACT_" + kind + "\n1,2,3,3\n\n\n");
+    ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+    EXPECT_EQ(run.outcome.ending, Ending::end_time);
+    EXPECT_LT(size(run.momentum() - start.momentum()), 1e-12) << kind;
+    EXPECT_LT(size(run.spin() - start.spin()), 1e-3) << kind;
+    EXPECT_NEAR(run.state.energy.ratio(), 1.0, 0.01) << kind;
+  }
+}
+
+}  // namespace
+}  // namespace cleave::solver::test

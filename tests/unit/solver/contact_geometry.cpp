@@ -1,0 +1,131 @@
+/// The geometry under contact: search, closest points, overlaps.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "solver/contact/closest.hpp"
+#include "solver/contact/overlap.hpp"
+#include "solver/contact/search.hpp"
+
+namespace cleave::solver::test {
+namespace {
+
+std::vector<Bounds> random_boxes(std::size_t count, unsigned seed, double size) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  std::vector<Bounds> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    Bounds box{};
+    for (int k = 0; k < 3; ++k) {
+      box.low[k] = place(random);
+      box.high[k] = box.low[k] + size * place(random);
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+// Every pair that a loop over all finds, and no other.
+TEST(ContactSearch, FindsWhatBruteForceFinds) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}, std::size_t{700}}) {
+    const auto boxes = random_boxes(count, 1, 0.2), queries = random_boxes(40, 2, 0.2);
+    Tree tree;
+    tree.build(boxes);
+    for (const Bounds& query : queries) {
+      std::vector<std::int32_t> found, all;
+      tree.query(query, [&](std::int32_t item) { found.push_back(item); });
+      std::sort(found.begin(), found.end());
+      for (std::size_t i = 0; i < count; ++i)
+        if (boxes[i].meets(query)) all.push_back(static_cast<std::int32_t>(i));
+      EXPECT_EQ(found, all);
+    }
+  }
+}
+
+TEST(ContactSearch, ItemsInOnePlace) {
+  std::vector<Bounds> boxes(50, Bounds{{1, 1, 1}, {1, 1, 1}});
+  Tree tree;
+  tree.build(boxes);
+  int count = 0;
+  tree.query({{0, 0, 0}, {2, 2, 2}}, [&](std::int32_t) { ++count; });
+  EXPECT_EQ(count, 50);
+}
+
+const Vector square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+Face quad() {
+  Face face;
+  face.node = {0, 1, 2, 3};
+  return face;
+}
+
+TEST(ContactClosest, InsideOnEdgesAndOnCorners) {
+  const Closest in = closest_point(quad(), square, {0.3, 0.6, 0.5});
+  EXPECT_TRUE(in.inside());
+  EXPECT_NEAR(in.point.x, 0.3, 1e-15);
+  EXPECT_NEAR(in.point.y, 0.6, 1e-15);
+  const Closest edge = closest_point(quad(), square, {0.4, -0.2, 0.1});
+  EXPECT_EQ(edge.edge, 0);
+  EXPECT_NEAR(edge.weight[0], 0.6, 1e-15);
+  const Closest last = closest_point(quad(), square, {-0.1, 0.5, 0.0});
+  EXPECT_EQ(last.edge, 3);
+  const Closest corner = closest_point(quad(), square, {1.4, 1.2, 0.1});
+  EXPECT_EQ(corner.corner, 2);
+  for (const Closest& c : {in, edge, last, corner})
+    EXPECT_NEAR(c.weight[0] + c.weight[1] + c.weight[2] + c.weight[3], 1.0, 1e-15);
+}
+
+// A square that lies parallel behind another, half over it: area 1/2, volume depth / 2, and the shares of the
+// corners are the integrals of the bilinear functions.
+TEST(ContactOverlap, HalfCoveredSquares) {
+  const Vector above[4] = {{0.5, 0, -0.1}, {0.5, 1, -0.1}, {1.5, 1, -0.1}, {1.5, 0, -0.1}};  // looks down
+  Overlap o;
+  ASSERT_TRUE(overlap(above, square, o));
+  EXPECT_NEAR(o.facing, 1.0, 1e-15);
+  EXPECT_NEAR(o.area, 0.5, 1e-15);
+  EXPECT_NEAR(o.deep_area, 0.5, 1e-15);
+  EXPECT_NEAR(o.volume, 0.05, 1e-15);
+  EXPECT_NEAR(o.wb[0], 0.125, 1e-14);  // the far corners of b: mean of 1 - x over the right half, halved
+  EXPECT_NEAR(o.wb[1], 0.375, 1e-14);
+  EXPECT_NEAR(o.wa[0], 0.375, 1e-14);
+  EXPECT_NEAR(o.wa[3], 0.125, 1e-14);
+  const Vector clear[4] = {{0.5, 0, 0.1}, {0.5, 1, 0.1}, {1.5, 1, 0.1}, {1.5, 0, 0.1}};
+  EXPECT_FALSE(overlap(clear, square, o));
+  const Vector up[4] = {{0.5, 0, -0.1}, {1.5, 0, -0.1}, {1.5, 1, -0.1}, {0.5, 1, -0.1}};  // looks away
+  EXPECT_FALSE(overlap(up, square, o));
+}
+
+// Centre of pressure of both sides on one line along the normal: no moment.
+TEST(ContactOverlap, ForcesAreInLine) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> shift(-0.15, 0.15);
+  int met = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    Vector a[4] = {{0.4, 0.1, -0.1}, {0.4, 1.1, -0.1}, {1.4, 1.1, -0.1}, {1.4, 0.1, -0.1}}, b[4];
+    for (int i = 0; i < 4; ++i) {
+      a[i] = a[i] + Vector{shift(random), shift(random), shift(random)};
+      b[i] = square[i] + Vector{shift(random), shift(random), shift(random)};
+    }
+    Overlap o;
+    if (!overlap(a, b, o)) continue;
+    ++met;
+    Vector apart{0, 0, 0};
+    for (int i = 0; i < 4; ++i) apart = apart + o.wa[i] * a[i] - o.wb[i] * b[i];
+    EXPECT_LT(norm(base::cross(apart, o.normal)), 1e-12);
+  }
+  EXPECT_GT(met, 100);
+}
+
+TEST(ContactOverlap, Triangles) {
+  const Vector one[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}};
+  const Vector other[4] = {{0, 0, -0.2}, {0, 1, -0.2}, {1, 0, -0.2}, {1, 0, -0.2}};
+  Overlap o;
+  ASSERT_TRUE(overlap(other, one, o));
+  EXPECT_NEAR(o.area, 0.5, 1e-15);
+  EXPECT_NEAR(o.volume, 0.1, 1e-15);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(o.wa[i], 1.0 / 3.0, 1e-14);
+  EXPECT_EQ(o.wb[3], 0.0);
+}
+
+}  // namespace
+}  // namespace cleave::solver::test
