@@ -40,7 +40,8 @@ class TiedNodes final : public Constraint {
         }
     for (const Tie& tie : ties_) nodes_.push_back(tie.node);
     nodes_.insert(nodes_.end(), corners_.begin(), corners_.end());
-    momentum_.resize(3 * ties_.size());
+    given_.resize(3 * ties_.size());
+    own_.resize(3 * ties_.size());
   }
 
   std::string name() const override { return "tied " + std::to_string(number_); }
@@ -49,41 +50,40 @@ class TiedNodes final : public Constraint {
   void correct(const Moment& now, std::span<double>, std::span<double> acceleration) override {
     active_ = now.time >= contact_.birth && now.time < contact_.death;
     if (!active_) return;
-    // Each node gives the momentum it would have, but for what brings it back to its place on the face.
+    // Each node gives its force, less what its own motion relative to the face needs.
     base::for_each_range(ties_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         const Tie& tie = ties_[t];
         const double mass = now.mass[static_cast<std::size_t>(tie.node)];
-        for (int i = 0; i < 3; ++i)
-          momentum_[3 * t + static_cast<std::size_t>(i)] =
-              mass * (free(now, acceleration, tie.node, i) - catch_up(now, tie, i));
+        for (int i = 0; i < 3; ++i) {
+          own_[slot(t, i)] = catch_up(now, tie, i);
+          given_[slot(t, i)] = mass * (acceleration[at(tie.node, i)] - own_[slot(t, i)]);
+        }
       }
     });
-    // Corners share it out.
+    // Corners take it by their weights, with the mass that goes with it.
     base::for_each_range(corners_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
-        const Index node = corners_[c];
-        const double own = now.mass[static_cast<std::size_t>(node)];
-        double mass = own, momentum[3];
-        for (int i = 0; i < 3; ++i) momentum[i] = own * free(now, acceleration, node, i);
+        double mass = now.mass[static_cast<std::size_t>(corners_[c])], force[3];
+        for (int i = 0; i < 3; ++i) force[i] = mass * acceleration[at(corners_[c], i)];
         for (std::int32_t k = first_[c]; k < first_[c + 1]; ++k) {
           const Share& share = list_[static_cast<std::size_t>(k)];
           const auto t = static_cast<std::size_t>(share.tie);
           mass += share.weight * now.mass[static_cast<std::size_t>(ties_[t].node)];
-          for (std::size_t i = 0; i < 3; ++i) momentum[i] += share.weight * momentum_[3 * t + i];
+          for (int i = 0; i < 3; ++i) force[i] += share.weight * given_[slot(t, i)];
         }
         if (!(mass > 0.0)) continue;
-        for (int i = 0; i < 3; ++i) set(now, acceleration, node, i, momentum[i] / mass);
+        for (int i = 0; i < 3; ++i) acceleration[at(corners_[c], i)] = force[i] / mass;
       }
     });
     base::for_each_range(ties_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         const Tie& tie = ties_[t];
         for (int i = 0; i < 3; ++i) {
-          double v = catch_up(now, tie, i);
+          double a = own_[slot(t, i)];
           for (int k = 0; k < 4; ++k)
-            if (tie.weight[k] != 0.0) v += tie.weight[k] * free(now, acceleration, tie.corner[k], i);
-          set(now, acceleration, tie.node, i, v);
+            if (tie.weight[k] != 0.0) a += tie.weight[k] * acceleration[at(tie.corner[k], i)];
+          acceleration[at(tie.node, i)] = a;
         }
       }
     });
@@ -101,23 +101,20 @@ class TiedNodes final : public Constraint {
     std::int32_t tie;
     double weight;
   };
-  static double free(const Moment& now, std::span<const double> acceleration, Index node, int i) {
-    const std::size_t at = 3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i);
-    return now.velocity[at] + acceleration[at] * now.interval();
+  static std::size_t at(Index node, int i) {
+    return 3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i);
   }
-  static void set(const Moment& now, std::span<double> acceleration, Index node, int i, double velocity) {
-    const std::size_t at = 3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i);
-    acceleration[at] = (velocity - now.velocity[at]) / now.interval();
-  }
-  /// Velocity that takes a node to its place within the step [length/time].
+  static std::size_t slot(std::size_t tie, int i) { return 3 * tie + static_cast<std::size_t>(i); }
+  /// Acceleration beyond that of its point that takes a node to its place within the step.
   static double catch_up(const Moment& now, const Tie& tie, int i) {
-    const auto at = [&](Index node) {
-      return now.position[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i)];
-    };
-    double place = tie.offset[i];
+    double place = tie.offset[i], velocity = 0.0;
     for (int k = 0; k < 4; ++k)
-      if (tie.weight[k] != 0.0) place += tie.weight[k] * at(tie.corner[k]);
-    return (place - at(tie.node)) / now.step;
+      if (tie.weight[k] != 0.0) {
+        place += tie.weight[k] * now.position[at(tie.corner[k], i)];
+        velocity += tie.weight[k] * now.velocity[at(tie.corner[k], i)];
+      }
+    return ((place - now.position[at(tie.node, i)]) / now.step + velocity - now.velocity[at(tie.node, i)]) /
+           now.interval();
   }
 
   const model::Contact& contact_;
@@ -126,7 +123,7 @@ class TiedNodes final : public Constraint {
   std::vector<Index> corners_, nodes_;
   std::vector<std::int32_t> first_;
   std::vector<Share> list_;
-  std::vector<double> momentum_;  // [tie][3]
+  std::vector<double> given_, own_;  // [tie][3] force, acceleration
   bool active_ = false;
 };
 

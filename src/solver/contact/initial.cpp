@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "model/solid_shape.hpp"
+#include "solver/contact/closest.hpp"
 #include "solver/contact/finders.hpp"
 #include "solver/contact/search.hpp"
 
@@ -32,9 +33,51 @@ std::string text_of(double value) {
   return text;
 }
 
+/// Tells which points lie on faces: nearer than 2 % of the size of a face.
+class OnFaces {
+ public:
+  OnFaces(std::span<const model::Segment> faces, std::span<const double> position)
+      : faces_(faces), position_(position) {
+    std::vector<Bounds> boxes;
+    for (const model::Segment& face : faces) {
+      Bounds box = Bounds::nothing();
+      for (const Index node : face.node) {
+        const Vector x = vector_at(position, node);
+        box.add({{x.x, x.y, x.z}, {x.x, x.y, x.z}});
+      }
+      box.grow(near * size_of(face));
+      boxes.push_back(box);
+    }
+    tree_.build(boxes);
+  }
+  bool hold(const Vector& p) const {
+    bool on = false;
+    tree_.query({{p.x, p.y, p.z}, {p.x, p.y, p.z}}, [&](std::int32_t f) {
+      const model::Segment& segment = faces_[static_cast<std::size_t>(f)];
+      Face face;
+      Vector x[4];
+      for (std::size_t a = 0; a < 4; ++a) {
+        face.node[a] = segment.node[a];
+        x[a] = vector_at(position_, segment.node[a]);
+      }
+      on = on || norm(p - closest_point(face, x, p).point) < near * size_of(segment);
+    });
+    return on;
+  }
+
+ private:
+  static constexpr double near = 0.02;
+  double size_of(const model::Segment& face) const {
+    return norm(vector_at(position_, face.node[2]) - vector_at(position_, face.node[0]));
+  }
+  std::span<const model::Segment> faces_;
+  std::span<const double> position_;
+  Tree tree_;
+};
+
 /// Nodes in solids of the given parts that no touch accounts for.
 void refuse_deep(const model::Model& model, const model::Contact& contact, std::span<const Index> nodes,
-                 std::span<const Index> parts, const std::vector<Index>& known,
+                 const model::ContactSide& other, const std::vector<Index>& known,
                  deck::Diagnostics& diagnostics) {
   const std::span<const double> position(model.mesh.nodes.position);
   struct Where {
@@ -46,7 +89,7 @@ void refuse_deep(const model::Model& model, const model::Contact& contact, std::
     const model::Elements& group = model.mesh.solids[g];
     const auto n = static_cast<std::size_t>(model::nodes_of(group.shape));
     for (std::size_t e = 0; e < group.count(); ++e) {
-      if (!std::binary_search(parts.begin(), parts.end(), group.part[e])) continue;
+      if (!std::binary_search(other.parts.begin(), other.parts.end(), group.part[e])) continue;
       Bounds box = Bounds::nothing();
       for (std::size_t a = 0; a < n; ++a) {
         const Vector x = vector_at(position, group.node[n * e + a]);
@@ -58,6 +101,7 @@ void refuse_deep(const model::Model& model, const model::Contact& contact, std::
   }
   Tree tree;
   tree.build(boxes);
+  const OnFaces surface(other.segments, position);
   std::size_t count = 0;
   for (const Index node : nodes) {
     if (std::binary_search(known.begin(), known.end(), node)) continue;
@@ -71,7 +115,7 @@ void refuse_deep(const model::Model& model, const model::Contact& contact, std::
       if (std::find(own, own + n, node) != own + n || !inside(group, at.element, position, p)) return;
       if (in == 0 || group.id[at.element] < in) in = group.id[at.element];
     });
-    if (in == 0 || ++count > 5) continue;
+    if (in == 0 || surface.hold(p) || ++count > 5) continue;
     diagnostics.error(contact.place, contact.keyword, "IGNORE",
                       "at the start node " +
                           std::to_string(model.mesh.nodes.id[static_cast<std::size_t>(node)]) +
@@ -113,10 +157,9 @@ void report_initial(const model::Model& model, const model::Contact& contact,
                             "; node (depth): " + listed + (count > 5 ? " and others" : ""),
                         "these depths count as touching: no force comes from them, and nodes are not moved");
   if (contact.search == model::Contact::Search::single) return;
-  if (!contact.b.parts.empty())
-    refuse_deep(model, contact, contact.a.nodes, contact.b.parts, known, diagnostics);
+  if (!contact.b.parts.empty()) refuse_deep(model, contact, contact.a.nodes, contact.b, known, diagnostics);
   if (!contact.a.parts.empty() && !contact.b.nodes.empty())
-    refuse_deep(model, contact, contact.b.nodes, contact.a.parts, known, diagnostics);
+    refuse_deep(model, contact, contact.b.nodes, contact.a, known, diagnostics);
 }
 
 }  // namespace cleave::solver

@@ -183,12 +183,14 @@ class Interface final : public Interaction {
     const double mass = inverse_a + inverse_b > 0.0 ? 1.0 / (inverse_a + inverse_b) : 0.0;
     if (contact_.soft == 1)
       touch.stiffness = std::max(touch.stiffness, 0.5 * contact_.soft_scale * mass / (step * step));
-    const double push = touch.stiffness * depth;
+    const double harder = touch.hardening * depth * depth;
+    const double push = touch.stiffness * depth * (1.0 + harder);
     if (!(push > 0.0)) {
       touch.stiffness = 0.0;
       return kept;
     }
     touch.pressure = push * touch.normal;
+    touch.stiffness *= 1.0 + 3.0 * harder;  // what it is about this depth
 
     const Vector v = relative(touch, now.velocity);
     const double approach = dot(v, touch.normal);

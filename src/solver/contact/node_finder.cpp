@@ -170,6 +170,7 @@ class NodeFinder final : public Finder {
     }
     if (best < 0) return;
     Touch touch;
+    std::copy(place.weight, place.weight + 4, touch.wb);
     if (!penetrates(now, slave, best, place, touch)) return;
 
     touch.key[0] = slave.node + (reverse_ ? static_cast<std::int64_t>(now.mass.size()) : 0);
@@ -179,7 +180,6 @@ class NodeFinder final : public Finder {
       touch.a[a] = slave.node;
       touch.wa[a] = a == 0 ? 1.0 : 0.0;
       touch.b[a] = target.node[static_cast<std::size_t>(a)];
-      touch.wb[a] = place.weight[a];
     }
     touch.face = best;
     touch.reverse = reverse_;
@@ -212,8 +212,13 @@ class NodeFinder final : public Finder {
     const Face& target = face(f);
     const Vector to = slave.at - place.point;
     if (place.inside()) {
+      // On a fold of a warped face the way to the closest point is along neither of its pieces.
       touch.normal = unit(place.normal);
       touch.depth = -dot(to, touch.normal);
+      if (touch.depth > 1e-9 * target.thickness) {
+        touch.depth = norm(to);
+        touch.normal = (-1.0 / touch.depth) * to;
+      }
       return touch.depth > 0.0;
     }
     // On an edge or a corner: what do the faces around it say together?
@@ -252,9 +257,35 @@ class NodeFinder final : public Finder {
     // Beyond the rim of what it can meet: a face reaches a little beyond its edges.
     if (border && norm(beside) > (contact_.extension - 1.0) * std::sqrt(target.area)) return false;
     const bool at_rim = border || distance < 1e-9 * target.thickness;
+    if (at_rim) shift(now, target, beside, n, touch.wb);
     touch.normal = at_rim ? n : (-1.0 / distance) * to;
     touch.depth = at_rim ? -height : distance;
     return true;
+  }
+
+  /// Moves the weighted point of a face by a vector across the normal, so that the force still passes through
+  /// the node: the change of each weight is linear in the place of its corner.
+  static void shift(const Moment& now, const Face& target, const Vector& by, const Vector& n, double w[4]) {
+    const int count = target.corners();
+    Vector x[4], middle{0, 0, 0};
+    for (int a = 0; a < count; ++a) {
+      x[a] = vector_at(now.position, target.node[static_cast<std::size_t>(a)]);
+      middle = middle + (1.0 / count) * x[a];
+    }
+    Vector e1 = x[1] - x[0];
+    e1 = unit(e1 - dot(e1, n) * n);
+    const Vector e2 = base::cross(n, e1);
+    double m11 = 0.0, m12 = 0.0, m22 = 0.0;
+    for (int a = 0; a < count; ++a) {
+      const double u = dot(x[a] - middle, e1), v = dot(x[a] - middle, e2);
+      m11 += u * u;
+      m12 += u * v;
+      m22 += v * v;
+    }
+    const double det = m11 * m22 - m12 * m12, b1 = dot(by, e1), b2 = dot(by, e2);
+    if (!(det > 0.0)) return;
+    const double g1 = (m22 * b1 - m12 * b2) / det, g2 = (m11 * b2 - m12 * b1) / det;
+    for (int a = 0; a < count; ++a) w[a] += g1 * dot(x[a] - middle, e1) + g2 * dot(x[a] - middle, e2);
   }
 
   std::vector<Index> nodes_;  // of a node set; empty: those of the surface

@@ -16,6 +16,8 @@ constexpr double reach_depth = 0.5;  // of the mean thickness of both: deeper is
 constexpr double keep_depth = 1.0;
 constexpr double stiffer = 4.0;  // than a node's spring; the step of the elements leaves room for it
 
+constexpr double hard_depth = 0.25;  // of the mean thickness: there the stiffness is twice that at the start
+
 double ramp(double value, double from, double to) {
   return std::clamp((value - from) / (to - from), 0.0, 1.0);
 }
@@ -152,9 +154,10 @@ class SegmentFinder final : public Finder {
     const double of_a = factor_a_ * one.stiffness / one.area, of_b = factor_b_ * other.stiffness / other.area;
     double pressure = rule_ == 2 ? of_b : rule_ == 3 ? of_a : std::min(of_a, of_b);  // per depth
     // A corner or an edge that pokes covers little area: it gets the stiffness of the area it would cover.
-    const double pokes = 1.0 - ramp(shared.facing, 0.8, 0.97);
+    const double pokes = 1.0 - ramp(shared.facing, 0.94, 0.995);
     pressure *= 1.0 + pokes * (std::min(shared.area / shared.deep_area, 100.0) - 1.0);
     touch.stiffness = ramp(shared.facing, 0.25, 0.5) * pressure * shared.deep_area;
+    touch.hardening = 1.0 / (hard_depth * hard_depth * thick * thick);
     out.push_back(touch);
   }
 

@@ -12,12 +12,13 @@ struct Touch {
   std::int64_t key[2];  ///< who touches whom, to find again what was remembered
   Index a[4], b[4];     ///< unused ones have weight 0
   double wa[4], wb[4];
-  Vector normal;                                                  ///< unit, from b to a
-  double depth = 0.0;                                             ///< how deep a is in b [length]
-  double stiffness = 0.0;                                         ///< [force/length]
-  double area = 0.0;                                              ///< [length^2]
-  std::int32_t face = -1;                                         ///< of side b, for messages
-  bool reverse = false;                                           ///< a is on side B of the card
+  Vector normal;           ///< unit, from b to a
+  double depth = 0.0;      ///< how deep a is in b [length]
+  double hardening = 0.0;  ///< the force is stiffness depth (1 + hardening depth^2) [1/length^2]
+  double stiffness = 0.0;  ///< [force/length]
+  double area = 0.0;       ///< [length^2]
+  std::int32_t face = -1;  ///< of side b, for messages
+  bool reverse = false;    ///< a is on side B of the card
   Vector pressure{0, 0, 0}, friction{0, 0, 0}, viscous{0, 0, 0};  ///< forces on a, filled in later [force]
 };
 

@@ -254,8 +254,9 @@ def fold(name):
     deck.card("DATABASE_NODOUT", [end / 200])
     deck.card("DATABASE_HISTORY_NODE", tips)
     low, high = sorted(tips, key=lambda n: mesh.nodes[n - 1][1])
-    deck.says("expect", f"y_displacement node={low} max  0.015  abs=0.002 (order: they meet half way)")
-    deck.says("expect", f"y_displacement node={high} min  -0.015  abs=0.002 (order)")
+    deep = 0.001 if name == "segments" else 0.003  # springs of SOFT 0 and 1 give way by a quarter element
+    deck.says("expect", f"y_displacement node={low} max  0.015  abs={deep} (order: they meet half way)")
+    deck.says("expect", f"y_displacement node={high} min  -0.015  abs={deep} (order)")
     deck.says("expect", "energy_ratio range 0.0 abs=0.01 (order)")
     deck.says("expect", "y_momentum range 0.0 abs=1e-13 (roundoff)")
     deck.says("expect", "touches contact=1 max  40  abs=39 (model: any number but none)")
@@ -267,6 +268,87 @@ def fold(name):
 
 for _name in METHODS:
     CASES["fold_" + _name] = lambda name=_name: fold(name)
+
+
+
+# --- ties ------------------------------------------------------------------------------------------------------
+
+def tied_patch(name):
+    """Two blocks with unlike meshes, tied and pulled."""
+    kind, error = {"nodes": ("TIED_SURFACE_TO_SURFACE", 0.08), "springs": ("TIED_SURFACE_TO_SURFACE_OFFSET", 1e-6)}[name]
+    end = 1.0
+    deck = start(f"contact_tied_patch_{name}", "Tied patch test", f"constant stress through a tie of unlike meshes, {kind}",
+                 "exact: stress 1 everywhere", end)
+    material(deck, 1, 1.0, 1000.0, 0.0, form=2)
+    material(deck, 2, 1.0, 1000.0, 0.0, form=2)
+    mesh = Bodies()
+    top = mesh.block(1, (5, 5, 2), box((0.0, 0.0, 0.5), (1.0, 1.0, 0.5)))
+    low = mesh.block(2, (3, 3, 2), box((0.0, 0.0, 0.0), (1.0, 1.0, 0.5)))
+    why = "model: nodes tied at points do not share forces as the stress does" if name == "nodes" else "order: settling"
+    for e in list(range(1, 51, 7)) + list(range(51, 69)):
+        deck.says("expect", f"stress_zz element={e}  1.0  abs={error} ({why})")
+    deck.card("DATABASE_ELOUT", [end / 10])
+    deck.card("DATABASE_HISTORY_SOLID", *[list(range(e, min(e + 8, 69))) for e in range(1, 69, 8)])
+    deck.card("BOUNDARY_SPC_SET", [deck.node_set([low[i, j, 0] for i in range(4) for j in range(4)]), 0, 0, 0, 1])
+    deck.card("BOUNDARY_SPC_SET", [deck.node_set([low[0, 0, 0]]), 0, 1, 1, 0])
+    deck.card("BOUNDARY_SPC_SET", [deck.node_set([low[3, 0, 0]]), 0, 0, 1, 0])
+    deck.curve(1, [(0.0, 1.0), (100.0, 1.0)])
+    deck.card("LOAD_SEGMENT_SET", [deck.segment_set(
+        [[top[i, j, 2], top[i + 1, j, 2], top[i + 1, j + 1, 2], top[i, j + 1, 2]] for i in range(5) for j in range(5)]),
+        1, -1.0])
+    deck.card("DAMPING_GLOBAL", [0, 50.0])
+    contact(deck, kind, 0)
+    deck.mesh(mesh)
+    return deck
+
+
+for _name in ("nodes", "springs"):
+    CASES["tied_patch_" + _name] = lambda name=_name: tied_patch(name)
+
+
+# --- Hertz -----------------------------------------------------------------------------------------------------
+
+def graded(first, fine, factor, to):
+    """Places of nodes: equal cells up to `fine`, growing ones up to `to`."""
+    places, h = [0.0], first
+    while places[-1] < to - 1e-9:
+        if places[-1] >= fine - 1e-9:
+            h *= factor
+        places.append(min(places[-1] + h, to) if to - places[-1] - h > 0.5 * h else to)
+    return places
+
+
+@case
+def hertz():
+    radius, depth, young, poisson, end = 10.0, 0.1, 1000.0, 0.3, 0.6
+    a = math.sqrt(radius * depth)
+    force = 4.0 / 3.0 * young / (1 - poisson ** 2) * math.sqrt(radius) * depth ** 1.5 / 4.0
+    deck = start("contact_hertz", "Hertz", "a rigid sphere pressed into an elastic block (a quarter), SOFT 2",
+                 f"Hertz 1882: force 4/3 E* sqrt(R) d^1.5 at depth d, radius of contact {a:g}", end, step=0.9)
+    deck.says("expect", f"z_force contact=1  {force:.5g}  rel=0.03 (order: mesh and springs; the block is 40 radii wide)")
+    deck.says("slow", "")
+    material(deck, 1, 1.0e-3, young, poisson)
+    material(deck, 2, 1.0e-2, young, poisson)
+    mesh = Bodies()
+    places = graded(0.15, 1.2, 1.5, 40.0)
+    n = len(places) - 1
+    block = mesh.block(1, (n, n, n), lambda x, y, z: (places[round(x * n)], places[round(y * n)],
+                                                      -places[n - round(z * n)]))
+    punch = mesh.block(2, (13, 13, 1), lambda x, y, z: (
+        1.69 * x, 1.69 * y, 0.25 * z + radius - math.sqrt(radius ** 2 - (1.69 * x) ** 2 - (1.69 * y) ** 2)))
+    side = lambda which: [v for k, v in block.items() if which(*k)]
+    deck.card("BOUNDARY_SPC_SET", [deck.node_set(side(lambda i, j, k: i == 0)), 0, 1, 0, 0])
+    deck.card("BOUNDARY_SPC_SET", [deck.node_set(side(lambda i, j, k: j == 0)), 0, 0, 1, 0])
+    deck.card("BOUNDARY_SPC_SET", [deck.node_set(side(lambda i, j, k: k == 0)), 0, 0, 0, 1])
+    moved = deck.node_set(list(punch.values()))
+    deck.card("BOUNDARY_SPC_SET", [moved, 0, 1, 1, 0])
+    # A smooth ramp, then rest.
+    deck.curve(1, [(0.5 * end * t / 20.0, -depth * 0.5 * (1 - math.cos(math.pi * t / 20.0))) for t in range(21)] + [(end, -depth)])
+    deck.card("BOUNDARY_PRESCRIBED_MOTION_SET", [moved, 3, 2, 1, 1.0])
+    deck.card("DAMPING_GLOBAL", [0, 60.0])
+    contact(deck, "AUTOMATIC_SURFACE_TO_SURFACE", 2, a=2, b=1, scale=20.0)
+    deck.mesh(mesh)
+    return deck
 
 
 if __name__ == "__main__":
