@@ -13,6 +13,9 @@ void refuse_unsupported(const model::Model& model, deck::Diagnostics& diagnostic
   for (const auto& wall : model.walls)
     refuse(wall.place, "RIGIDWALL_PLANAR", "", "rigid walls are not computed for spacetime parts",
            "prescribe the motion of the faces that would touch it");
+  for (const auto& contact : model.contacts)
+    refuse(contact.place, contact.keyword, "", "contact is not computed for spacetime parts",
+           "join the parts by shared nodes, or take an ELFORM of ordinary solids");
   for (const auto& mass : model.point_masses)
     refuse(mass.place, "ELEMENT_MASS", "", "spacetime parts have no nodal masses to add to",
            "give a denser material to a part of its own");
