@@ -18,6 +18,7 @@ void finish_shells(Draft& draft);
 void finish_parts(Draft& draft);
 void finish_velocities(Draft& draft);
 void finish_sets(Draft& draft);
+void finish_stresses(Draft& draft);
 
 namespace {
 
@@ -136,6 +137,7 @@ Model build(const deck::Deck& deck, const BuildOptions& options, deck::Diagnosti
   for (const auto& act : draft.when_laws_known) act();
   finish_velocities(draft);
   finish_sets(draft);
+  finish_stresses(draft);
   name_node_lists(model);
   model.requests.title = model.title;
   settle_policies(account);

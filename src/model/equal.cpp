@@ -151,6 +151,14 @@ bool same(const AbsorbingFaces& a, const AbsorbingFaces& b) {
 bool same(const Precrack& a, const Precrack& b) {
   return a.part == b.part && same(a.points, b.points);
 }
+bool same(const IncidentWave& a, const IncidentWave& b) {
+  return same(a.segments, b.segments) && a.kind == b.kind && same(a.direction, b.direction) &&
+         same(a.polarisation, b.polarisation) && same(a.reference, b.reference) && a.curve == b.curve &&
+         a.scale == b.scale && a.arrival == b.arrival;
+}
+bool same(const InitialStress& a, const InitialStress& b) {
+  return a.shell == b.shell && a.element == b.element && same(a.stress, b.stress);
+}
 bool same(const PointMass& a, const PointMass& b) {
   return a.id == b.id && a.node == b.node && a.mass == b.mass;
 }
@@ -224,6 +232,8 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE_LIST(contacts)
   CLEAVE_COMPARE_LIST(absorbing)
   CLEAVE_COMPARE_LIST(precracks)
+  CLEAVE_COMPARE_LIST(incident_waves)
+  CLEAVE_COMPARE_LIST(initial_stress)
   CLEAVE_COMPARE_LIST(point_masses)
   CLEAVE_COMPARE_LIST(global_damping)
   CLEAVE_COMPARE_LIST(initial_velocity)

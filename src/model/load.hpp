@@ -111,6 +111,30 @@ struct AbsorbingFaces {
   deck::Place place{};
 };
 
+/// A plane elastic wave that comes in through absorbing faces (*LOAD_INCIDENT_WAVE).
+struct IncidentWave {
+  enum class Kind { pressure, shear };
+  std::vector<Segment> segments;
+  Kind kind = Kind::pressure;
+  Vector direction = {1, 0, 0};     ///< of propagation, unit
+  Vector polarisation = {0, 0, 0};  ///< of a shear wave, unit, across the direction
+  Vector reference = {0, 0, 0};     ///< point that the front passes at the arrival time [length]
+  /// Stress in the wave: normal stress along the direction, pull positive, or shear stress along the
+  /// polarisation. [stress]
+  Index curve = -1;
+  double scale = 1.0;
+  double arrival = 0.0;  ///< [time]
+  deck::Place place{};
+};
+
+/// Stress of an element at time 0, uniform (*INITIAL_STRESS_SHELL, _SOLID).
+struct InitialStress {
+  bool shell = false;  ///< the element is a shell, else a solid
+  Id element = 0;
+  double stress[6] = {0, 0, 0, 0, 0, 0};  ///< xx yy zz xy yz zx [stress]
+  deck::Place place{};
+};
+
 struct PointMass {
   Id id = 0;
   Index node = -1;

@@ -43,6 +43,8 @@ struct Model {
   std::vector<Contact> contacts;
   std::vector<AbsorbingFaces> absorbing;
   std::vector<Precrack> precracks;
+  std::vector<IncidentWave> incident_waves;
+  std::vector<InitialStress> initial_stress;  ///< ascending elements, each once
   std::vector<PointMass> point_masses;
   std::vector<GlobalDamping> global_damping;
   std::vector<double> initial_velocity;  ///< [node][3] [length/time]

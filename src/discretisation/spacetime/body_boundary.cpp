@@ -4,6 +4,7 @@
 #include <map>
 
 #include "discretisation/spacetime/body_supports.hpp"
+#include "discretisation/spacetime/body_wave.hpp"
 #include "discretisation/spacetime/mesh_faces.hpp"
 
 namespace cleave::discretisation::spacetime {
@@ -34,8 +35,9 @@ struct BoundaryConditions<D>::Implementation {
   const std::vector<Vertex>& vertex_of_node;
   deck::Diagnostics& diagnostics;
   Supports<D> supports;
-  std::map<Face, std::vector<OnFace<D>>> loads, silent;
-  std::vector<History> load_histories;
+  std::map<Face, std::vector<OnFace<D>>> loads, silent, waves;
+  std::map<int, std::int32_t> part_of_wave;  ///< whose faces the wave comes through
+  std::vector<History> load_histories, wave_histories;
 
   Implementation(const model::Model& m, SpaceMeshInput<D>& in, const std::vector<Vertex>& vertices,
                  deck::Diagnostics& say)
@@ -62,6 +64,12 @@ struct BoundaryConditions<D>::Implementation {
                           "leave AD and AS blank");
       find_faces(faces.segments, boundary, static_cast<int>(a), "BOUNDARY_NON_REFLECTING", faces.place,
                  silent);
+    }
+    for (std::size_t w = 0; w < model.incident_waves.size(); ++w) {
+      const auto& wave = model.incident_waves[w];
+      wave_histories.emplace_back(model.curves[static_cast<std::size_t>(wave.curve)], wave.scale,
+                                  wave.arrival, History::Kind::value);
+      find_faces(wave.segments, boundary, static_cast<int>(w), "LOAD_INCIDENT_WAVE", wave.place, waves);
     }
     tag_faces(in, outer);
 
@@ -141,7 +149,7 @@ struct BoundaryConditions<D>::Implementation {
     tags.emplace(std::vector<int>{-1, -1}, 0);
     for (const Face& face : outer) {
       std::vector<int> key = supports.key(face);
-      for (const auto* conditions : {&loads, &silent}) {
+      for (const auto* conditions : {&loads, &silent, &waves}) {
         key.push_back(-1);
         if (const auto at = conditions->find(face); at != conditions->end())
           for (const auto& one : at->second) key.push_back(one.condition);
@@ -183,15 +191,62 @@ struct BoundaryConditions<D>::Implementation {
     return list;
   }
 
-  TargetPtr<D> make(const BoundaryFace<D>& face, const Face& key, const HeldFace<D>& held,
-                    std::vector<Pressure<D>> pressure) {
+  /// The sum of what the incident waves bring to a silent face; empty where there are none.
+  VectorField<D> incident(const Body<D>& body, const BoundaryFace<D>& face, const Face& key) {
+    const auto at = waves.find(key);
+    if (at == waves.end()) return {};
+    const std::int32_t part = body.mesh.material(face.simplex);
+    const Elastic<D>& material = body.problem.materials[static_cast<std::size_t>(part)];
+    const auto refuse = [&](const OnFace<D>& wave, const std::string& what, std::string instead) {
+      diagnostics.error(model.incident_waves[static_cast<std::size_t>(wave.condition)].place,
+                        "LOAD_INCIDENT_WAVE", "SSID", "face " + name(key) + " " + what, std::move(instead));
+    };
+    std::vector<VectorField<D>> sum;
+    Vector<D> normal;
+    for (std::size_t k = 0; k < D; ++k) normal[k] = face.normal[k];
+    for (const OnFace<D>& wave : at->second) {
+      if (!silent.contains(key)) {
+        refuse(wave, "is not silent: a wave cannot come in there",
+               "name it in *BOUNDARY_NON_REFLECTING as well");
+        return {};
+      }
+      if (!material.isotropic) {
+        refuse(wave, "is of an anisotropic part", "incident waves are computed for isotropic materials");
+        return {};
+      }
+      const auto [first, fresh] = part_of_wave.try_emplace(wave.condition, part);
+      if (!fresh && first->second != part) {
+        refuse(wave, "is of part " + id_of(part) + ", others of the wave are of part " + id_of(first->second),
+               "a plane wave comes through one material: let all its faces be of one part");
+        return {};
+      }
+      const auto w = static_cast<std::size_t>(wave.condition);
+      sum.push_back(incident_characteristic<D>(model.incident_waves[w], wave_histories[w], material, normal));
+    }
+    if (sum.size() == 1) return sum[0];
+    return [sum = std::move(sum)](const Event<D>& y) {
+      Vector<D> total{};
+      for (const auto& one : sum) {
+        const Vector<D> w = one(y);
+        for (std::size_t k = 0; k < D; ++k) total[k] += w[k];
+      }
+      return total;
+    };
+  }
+  std::string id_of(std::int32_t part) const {
+    return std::to_string(model.parts[static_cast<std::size_t>(part)].id);
+  }
+
+  TargetPtr<D> make(const Body<D>& body, const BoundaryFace<D>& face, const Face& key,
+                    const HeldFace<D>& held, std::vector<Pressure<D>> pressure) {
+    VectorField<D> incoming = incident(body, face, key);
     if (const auto at = silent.find(key); at != silent.end()) {
       const auto& asked = model.absorbing[static_cast<std::size_t>(at->second.front().condition)];
       if (held.held > 0 || !pressure.empty())
         diagnostics.error(asked.place, "BOUNDARY_NON_REFLECTING", "SSID",
                           "face " + name(key) + " is to be silent and is held or loaded as well",
                           "take its nodes out of one of the two");
-      return make_silent<D>({});
+      return make_silent<D>(std::move(incoming));
     }
     if (!pressure.empty() && held.held > 0) {
       Vector<D> into{};
@@ -287,7 +342,7 @@ void BoundaryConditions<D>::make_targets(Body<D>& body) {
     key = sorted(key);
     std::vector<int> condition = conditions.supports.key(key);
     std::vector<double> normal;
-    for (const auto* list : {&conditions.loads, &conditions.silent}) {
+    for (const auto* list : {&conditions.loads, &conditions.silent, &conditions.waves}) {
       condition.push_back(-1);
       if (const auto at = list->find(key); at != list->end())
         for (const auto& one : at->second) {
@@ -296,10 +351,11 @@ void BoundaryConditions<D>::make_targets(Body<D>& body) {
           normal.insert(normal.end(), one.normal.begin(), one.normal.end());
         }
     }
+    if (conditions.waves.contains(key)) condition.push_back(body.mesh.material(face.simplex));
     auto& target = made[{condition, normal}];
     if (!target) {
-      body.target.push_back(
-          conditions.make(face, key, conditions.supports.of_face(key), conditions.pressures(face, key)));
+      body.target.push_back(conditions.make(body, face, key, conditions.supports.of_face(key),
+                                            conditions.pressures(face, key)));
       target = body.target.back().get();
     }
     body.problem.targets.push_back(target);

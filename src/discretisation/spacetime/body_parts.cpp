@@ -32,10 +32,13 @@ template <int D>
 void gather_parts(const model::Model& model, Body<D>& body, deck::Diagnostics& diagnostics) {
   for (const model::Part& part : model.parts) {
     Elastic<D> material;
-    const std::string wrong = part.elastic
-                                  ? make_isotropic<D>(part.density, part.elastic->young,
-                                                      part.elastic->poisson, plane_of(part.section), material)
-                                  : "it has no linear elastic material";
+    const PlaneKind plane = plane_of(part.section);
+    const auto index = static_cast<model::Index>(&part - model.parts.data());
+    const std::string wrong =
+        !part.elastic ? "it has no linear elastic material"
+        : part.elastic->isotropic
+            ? make_isotropic<D>(part.density, part.elastic->young, part.elastic->poisson, plane, material)
+            : make_orthotropic<D>(model, index, plane, material);
     if (!wrong.empty())
       diagnostics.error(part.elastic ? part.elastic->place : part.place, part.material_keyword, "",
                         "part " + std::to_string(part.id) + ": " + wrong);

@@ -32,6 +32,10 @@ void refuse_unsupported(const model::Model& model, deck::Diagnostics& diagnostic
 template <int D>
 void gather_parts(const model::Model& model, Body<D>& body, deck::Diagnostics& diagnostics);
 
+/// The orthotropic material of a part, turned into the axes of the body. Says what is wrong, else empty.
+template <int D>
+std::string make_orthotropic(const model::Model& model, model::Index part, PlaneKind plane, Elastic<D>& out);
+
 /// Vertices and simplices of the parts' elements. Needs the materials.
 /// @param vertex_of_node [nodes of the model], -1 where a node is no vertex; overwritten
 template <int D>

@@ -6,6 +6,7 @@
 #include "model/elasticity.hpp"
 #include "model/keyword/handler.hpp"
 #include "model/keyword/honoured.hpp"
+#include "model/keyword/orthotropic.hpp"
 #include "model/material/eos.hpp"
 #include "model/material/erosion.hpp"
 #include "model/material/law.hpp"
@@ -80,14 +81,16 @@ class LawBuilder {
   }
 
  private:
-  /// Spacetime parts are linear elastic: sets their constants. False, with a refusal, for any other law.
+  /// Spacetime parts are linear elastic: sets their constants. True if the law is to be made as well, which
+  /// is done of isotropic ones; any other law is refused.
   bool linear_elastic(Part& part, const Entry& part_entry, const Entry& entry) {
     const std::string name = "part " + std::to_string(part.id);
-    if (entry.keyword() != "MAT_ELASTIC") {
+    const bool orthotropic = entry.keyword() == "MAT_ORTHOTROPIC_ELASTIC";
+    if (entry.keyword() != "MAT_ELASTIC" && !orthotropic) {
       draft_.diagnostics.error(part_entry.place("MID"), entry.keyword(), "",
                                "this law is not computed in spacetime, and " + name + " with *SECTION_" +
                                    part.section.family + " uses it",
-                               "use *MAT_ELASTIC, or another section");
+                               "use *MAT_ELASTIC or *MAT_ORTHOTROPIC_ELASTIC, or another section");
       return false;
     }
     if (draft_.additions.contains(part.material_id)) {
@@ -95,6 +98,10 @@ class LawBuilder {
                    name + " is solved in spacetime, where elements are not deleted",
                    "leave the card out, or choose another section");
       return false;
+    }
+    if (orthotropic) {
+      part.elastic = read_orthotropic(draft_, entry, part);
+      return false;  // no law of motion for other methods
     }
     Elasticity constants;
     constants.young = entry.card().real("E");

@@ -70,6 +70,11 @@ constexpr Handler handlers[] = {
     {.keyword = "MAT_ADD_*", .honoured = ""},
     {.keyword = "MAT_NONLOCAL", .honoured = ""},
     {.keyword = "MAT_THERMAL_*", .honoured = ""},
+    {.keyword = "MAT_ORTHOTROPIC_ELASTIC",
+     .phase = Phase::material,
+     .honoured = "*",
+     .take = take_material,
+     .remark = "in spacetime parts: AOPT 2 and below 0, and in the plane 0 and 3"},
     {.keyword = "MAT_*", .phase = Phase::material, .honoured = "*", .take = take_material},
     {.keyword = "EOS_*", .phase = Phase::material, .honoured = "*", .take = take_state},
 };

@@ -87,12 +87,75 @@ void take_precrack(Draft& draft, const Entry& entry) {
   draft.model.precracks.push_back(std::move(crack));
 }
 
+/// The unit vector along a direction across another one; zero if there is none.
+Vector across(const Vector& v, const Vector& direction) {
+  const Vector left = v - base::dot(v, direction) * direction;
+  return length(left) > 1e-6 * length(v) ? unit(left) : Vector{0, 0, 0};
+}
+
+/// A plane wave through silent faces; its speed is that of the material behind them.
+void take_incident_wave(Draft& draft, const Entry& entry) {
+  int dimension = 0;
+  for (const Part& part : draft.model.parts)
+    dimension = std::max(dimension, spacetime_dimension(part.section));
+  if (dimension == 0)
+    return draft.refuse(entry, "SSID", "incident waves are computed for spacetime parts only",
+                        "give the parts *SECTION_SHELL_SDG, _SOLID_SDG or _BEAM_SDG");
+  const auto* set = draft.segment_set(entry, "SSID");
+  IncidentWave wave;
+  wave.place = entry.place("SSID");
+  const auto type = entry.integer("WTYPE");
+  if (type < 0 || type > 2)
+    return draft.error(entry, "WTYPE", "found " + std::to_string(type) + ", expected 1 or 2",
+                       "1 pressure wave, 2 shear wave");
+  wave.kind = type == 2 ? IncidentWave::Kind::shear : IncidentWave::Kind::pressure;
+  wave.curve = draft.curve(entry, "LCID");
+  wave.scale = entry.real_or("SF", pure, 1.0);
+  wave.arrival = entry.real("AT", a_time);
+  const auto direction = [&](std::string_view x, std::string_view y, std::string_view z) {
+    return entry.motion().direction({entry.card().real(x), entry.card().real(y), entry.card().real(z)});
+  };
+  wave.direction = direction("DX", "DY", "DZ");
+  if (length(wave.direction) == 0.0) return draft.error(entry, "DX", "the direction has no length");
+  wave.direction = unit(wave.direction);
+  const double out = dimension == 1   ? std::hypot(wave.direction.y, wave.direction.z)
+                     : dimension == 2 ? std::fabs(wave.direction.z)
+                                      : 0.0;
+  if (out > 1e-9)
+    return draft.error(entry, dimension == 1 ? "DY" : "DZ",
+                       "the wave does not travel in the plane or line of the body",
+                       dimension == 1 ? "waves in bars travel along x" : "let DZ be 0");
+  wave.reference = entry.point("XR", "YR", "ZR");
+  if (wave.kind == IncidentWave::Kind::shear) {
+    if (dimension == 1)
+      return draft.error(entry, "WTYPE", "there are no shear waves in a bar", "choose 1, a pressure wave");
+    const Vector given = direction("PX", "PY", "PZ");
+    if (dimension == 2) {
+      if (given.z != 0.0)
+        return draft.refuse(entry, "PZ", "motion out of the plane", "let the wave move in the plane: PZ = 0");
+      wave.polarisation = length(given) > 0.0 ? across(given, wave.direction)
+                                              : Vector{-wave.direction.y, wave.direction.x, 0.0};
+    } else {
+      wave.polarisation = across(given, wave.direction);
+    }
+    if (length(wave.polarisation) == 0.0)
+      return draft.error(entry, "PX", "the motion of a shear wave needs a direction across its path");
+  }
+  if (!set || wave.curve < 0) return;
+  wave.segments = *set;
+  draft.model.incident_waves.push_back(std::move(wave));
+}
+
 constexpr Handler handlers[] = {
     {.keyword = "CONTROL_SPACETIME", .phase = Phase::definition, .honoured = "*", .take = take_control},
     {.keyword = "BOUNDARY_PRECRACK",
      .honoured = "ID HEADING PID CTYPE NP X Y Z",
      .take = take_precrack,
      .remark = "in spacetime parts, along edges or faces of the mesh"},
+    {.keyword = "LOAD_INCIDENT_WAVE",
+     .honoured = "ID HEADING SSID WTYPE LCID SF AT DX DY DZ XR YR ZR PX PY PZ",
+     .take = take_incident_wave,
+     .remark = "in spacetime parts, through faces that are silent by *BOUNDARY_NON_REFLECTING"},
 };
 
 }  // namespace

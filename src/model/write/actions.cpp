@@ -183,6 +183,30 @@ class ActionWriter {
     for (const Vector& p : c.points) out_.line({p.x, p.y, p.z});
   }
 
+  void incident(const IncidentWave& w) {
+    const auto* set = set_of(model_.segment_sets, w.segments);
+    if (!set) return;
+    const bool shear = w.kind == IncidentWave::Kind::shear;
+    out_.keyword("LOAD_INCIDENT_WAVE");
+    out_.line({set->id, shear ? 2 : 1, curve(w.curve), w.scale, w.arrival});
+    out_.line({w.direction.x, w.direction.y, w.direction.z, w.reference.x, w.reference.y, w.reference.z});
+    if (shear) out_.line({w.polarisation.x, w.polarisation.y, w.polarisation.z});
+  }
+
+  void stresses() {
+    for (const InitialStress& s : model_.initial_stress) {
+      const auto& c = s.stress;
+      out_.keyword(s.shell ? "INITIAL_STRESS_SHELL" : "INITIAL_STRESS_SOLID");
+      if (s.shell) {
+        out_.line({s.element, 1, 1});
+        out_.line({0.0, c[0], c[1], c[2], c[3], c[4], c[5]});
+      } else {
+        out_.line({s.element, 1});
+        out_.line({c[0], c[1], c[2], c[3], c[4], c[5]});
+      }
+    }
+  }
+
   void absorbing(const AbsorbingFaces& a) {
     const auto* set = set_of(model_.segment_sets, a.segments);
     if (!set) return;
@@ -213,9 +237,11 @@ void write_actions(const Model& model, DeckText& out) {
   for (const auto& c : model.contacts) write.contact(c);
   for (const auto& a : model.absorbing) write.absorbing(a);
   for (const auto& c : model.precracks) write.precrack(c);
+  for (const auto& w : model.incident_waves) write.incident(w);
   write.damping();
   write.masses();
   write.velocities();
+  write.stresses();
 }
 
 }  // namespace cleave::model

@@ -1,0 +1,81 @@
+/// *INITIAL_STRESS_SHELL and _SOLID: uniform stress of elements, in spacetime parts.
+
+#include <algorithm>
+#include <tuple>
+
+#include "model/keyword/handler.hpp"
+
+namespace cleave::model {
+namespace {
+
+constexpr Dimension a_stress{1, -1, -2};
+constexpr std::string_view component[] = {"SIGXX", "SIGYY", "SIGZZ", "SIGXY", "SIGYZ", "SIGZX"};
+
+void take_stress(Draft& draft, const Entry& entry) {
+  const bool shell = entry.keyword() == "INITIAL_STRESS_SHELL";
+  draft.refuse_turned(entry, "an initial stress");
+  const Id id = entry.id(IdKind::element, "EID");
+  const std::string name = "element " + std::to_string(id);
+  InitialStress stress{.shell = shell, .element = id, .stress = {}, .place = entry.place("EID")};
+  const std::size_t rows = entry.card().row_count("SIGXX");
+  if (rows == 0) return draft.error(entry, shell ? "NPLANE" : "NINT", name + " is given no stress");
+  for (int k = 0; k < 6; ++k) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double value = entry.real(component[k], a_stress, row);
+      if (row == 0) stress.stress[k] = value;
+      if (value != stress.stress[k])
+        return draft.refuse(entry, component[k], name + " has different stresses at its points",
+                            "stresses of spacetime parts are uniform in an element: give one point");
+    }
+  }
+  draft.model.initial_stress.push_back(stress);
+}
+
+constexpr Handler handlers[] = {
+    {.keyword = "INITIAL_STRESS_SHELL",
+     .honoured = "EID NPLANE NTHICK T LARGE SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX",
+     .take = take_stress,
+     .remark = "in spacetime parts, uniform in an element"},
+    {.keyword = "INITIAL_STRESS_SOLID",
+     .honoured = "EID NINT SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX",
+     .take = take_stress,
+     .remark = "in spacetime parts, uniform in an element"},
+};
+
+}  // namespace
+
+/// Sorts the stresses by element. Elements given twice, or not solved in spacetime, are errors.
+void finish_stresses(Draft& draft) {
+  auto& all = draft.model.initial_stress;
+  if (all.empty()) return;
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.shell, a.element) < std::pair(b.shell, b.element);
+  });
+  std::vector<std::tuple<bool, Id, Index>> part_of;  // shell, element, part
+  for (const bool shell : {false, true})
+    for (const Elements& group : shell ? draft.model.mesh.shells : draft.model.mesh.solids)
+      for (std::size_t e = 0; e < group.count(); ++e) part_of.emplace_back(shell, group.id[e], group.part[e]);
+  std::sort(part_of.begin(), part_of.end());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const InitialStress& s = all[i];
+    const std::string kind = s.shell ? "SHELL" : "SOLID", keyword = "INITIAL_STRESS_" + kind,
+                      name = "element " + std::to_string(s.element);
+    const auto at =
+        std::lower_bound(part_of.begin(), part_of.end(), std::tuple(s.shell, s.element, Index(-1)));
+    const bool known = at != part_of.end() && std::get<0>(*at) == s.shell && std::get<1>(*at) == s.element;
+    if (!known)
+      draft.diagnostics.error(s.place, keyword, "EID", name + " is not defined",
+                              "name elements of *ELEMENT_" + kind);
+    else if (i > 0 && all[i - 1].shell == s.shell && all[i - 1].element == s.element)
+      draft.diagnostics.error(s.place, keyword, "EID", name + " is given a stress a second time",
+                              "leave one of the two out");
+    else if (spacetime_dimension(draft.model.parts[static_cast<std::size_t>(std::get<2>(*at))].section) == 0)
+      draft.refuse(s.place, keyword, "EID",
+                   name + " is not solved in spacetime: an initial stress is not computed for it",
+                   "leave the card out, or give the part *SECTION_" + kind + "_SDG");
+  }
+}
+
+extern const Family stress_cards{handlers};
+
+}  // namespace cleave::model
