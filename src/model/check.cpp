@@ -61,6 +61,54 @@ void check_elements(const Model& model, const deck::Deck& deck, deck::Diagnostic
                           "part " + std::to_string(model.parts[i].id) + " has no elements");
 }
 
+/// Shells without area and bars without length; shells numbered the other way round than others of their
+/// part.
+void check_thin_elements(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
+  std::vector<std::size_t> total(model.parts.size(), 0);
+  std::vector<std::vector<Id>> clockwise(model.parts.size());
+  std::vector<Id> flat[2];  // shells, bars
+  std::array<Corner, 4> x;
+  for (const auto* groups : {&model.mesh.shells, &model.mesh.beams})
+    for (const Elements& group : *groups) {
+      const int n = nodes_of(group.shape);
+      for (std::size_t e = 0; e < group.count(); ++e) {
+        double longest = 0.0;
+        for (int a = 0; a < n; ++a) {
+          const double* p =
+              model.mesh.nodes.position.data() + 3 * static_cast<std::size_t>(group.node[e * n + a]);
+          x[a] = {p[0], p[1], p[2]};
+          for (int b = 0; b < a; ++b) longest = std::max(longest, base::dot(x[a] - x[b], x[a] - x[b]));
+        }
+        const bool bar = group.shape == Shape::line2;
+        const double size = volume(group.shape, {x.data(), static_cast<std::size_t>(n)});
+        if (!(size > 0.0) || (!bar && size <= 1e-12 * longest)) flat[bar].push_back(group.id[e]);
+        if (bar) continue;
+        double twice = 0.0;  // area seen from above
+        for (int a = 1; a + 1 < n; ++a) twice += base::cross(x[a] - x[0], x[a + 1] - x[0]).z;
+        ++total[group.part[e]];
+        if (twice < 0.0) clockwise[group.part[e]].push_back(group.id[e]);
+      }
+    }
+  constexpr std::size_t most = 100;  // of very many the first ones tell what is wrong
+  const auto report = [&](std::vector<Id> ids, const char* keyword, const char* what, const char* instead) {
+    const std::size_t count = ids.size();
+    ids.resize(std::min(most, count));
+    for (const auto& [id, place] : row_places(deck, keyword, IdKind::element, ids))
+      diagnostics.error(
+          place, keyword, "EID",
+          "element " + std::to_string(id) + what + (count > 1 ? ", one of " + std::to_string(count) : ""),
+          instead);
+  };
+  report(flat[0], "ELEMENT_SHELL", " has no area: its corners lie in one line",
+         "repeated or misplaced nodes");
+  report(flat[1], "ELEMENT_BEAM", " has no length", "repeated or misplaced nodes");
+  for (std::size_t p = 0; p < clockwise.size(); ++p)
+    if (clockwise[p].size() < total[p])
+      report(clockwise[p], "ELEMENT_SHELL",
+             " is inverted: others of its part are numbered the other way round",
+             "number all shells of a part counter-clockwise seen from above, or all clockwise");
+}
+
 void check_nodes(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
   std::vector<char> massive(model.mesh.nodes.count(), 0);
   for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
@@ -141,6 +189,7 @@ void check_end_time(const Model& model, const deck::Deck& deck, deck::Diagnostic
 
 void check(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagnostics) {
   check_elements(model, deck, diagnostics);
+  check_thin_elements(model, deck, diagnostics);
   check_nodes(model, deck, diagnostics);
   check_curves(model, diagnostics);
   check_materials(model, diagnostics);

@@ -22,6 +22,72 @@ constexpr UnitSystem systems[] = {
     {"lbf-s2/in in s", 7.33e-4, 3.0e7}, {"slug ft s", 15.2, 4.32e9},
 };
 
+/// Smallest height of a triangle or tetrahedron, length of a line; of a quadrilateral cut in two along the
+/// diagonal that leaves more of it. [length]
+double least_height(Shape shape, std::span<const Corner> x) {
+  const auto area = [&](int a, int b, int c) {
+    const Corner n = base::cross(x[b] - x[a], x[c] - x[a]);
+    return 0.5 * std::sqrt(base::dot(n, n));
+  };
+  const auto triangle = [&](int a, int b, int c) {
+    double longest = 0.0;
+    for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
+      longest = std::max(longest, base::dot(x[q] - x[p], x[q] - x[p]));
+    return longest > 0.0 ? 2.0 * area(a, b, c) / std::sqrt(longest) : 0.0;
+  };
+  switch (shape) {
+    case Shape::line2:
+      return shortest_edge(shape, x);
+    case Shape::tri3:
+      return triangle(0, 1, 2);
+    case Shape::quad4:
+      return std::max(std::min(triangle(0, 1, 2), triangle(0, 2, 3)),
+                      std::min(triangle(1, 2, 3), triangle(3, 0, 1)));
+    case Shape::tet4: {
+      const double largest = std::max({area(0, 1, 2), area(0, 1, 3), area(0, 2, 3), area(1, 2, 3)});
+      return largest > 0.0 ? 3.0 * std::fabs(volume(shape, x)) / largest : 0.0;
+    }
+    default:
+      return 0.0;
+  }
+}
+
+/// Elements of one shape to the lines of their parts.
+void add(const Model& model, const Elements& group, ModelReport& r) {
+  std::array<Corner, 10> x;
+  const int n = nodes_of(group.shape);
+  const bool solid = group.shape <= Shape::tet10;
+  for (std::size_t e = 0; e < group.count(); ++e) {
+    for (int a = 0; a < n; ++a) {
+      const double* at =
+          model.mesh.nodes.position.data() + 3 * static_cast<std::size_t>(group.node[e * n + a]);
+      x[a] = {at[0], at[1], at[2]};
+    }
+    const std::span<const Corner> corner(x.data(), n);
+    const Part& of = model.parts[group.part[e]];
+    PartReport& part = r.parts[group.part[e]];
+    const bool spacetime = spacetime_dimension(of.section) != 0;
+    const double v = volume(group.shape, corner) * (spacetime ? spacetime_thickness(of.section) : 1.0);
+    ++part.elements;
+    part.volume += v;
+    part.mass += v * of.density;
+    const double jacobian = solid ? jacobian_ratio(group.shape, corner) : 1.0,
+                 aspect = aspect_ratio(group.shape, corner);
+    if (part.worst_jacobian_element == 0 || jacobian < part.worst_jacobian)
+      part.worst_jacobian = jacobian, part.worst_jacobian_element = group.id[e];
+    if (part.worst_aspect_element == 0 || aspect > part.worst_aspect)
+      part.worst_aspect = aspect, part.worst_aspect_element = group.id[e];
+    const double height = spacetime ? least_height(group.shape, corner) : 0.0;
+    if (spacetime && (part.least_height_element == 0 || height < part.least_height))
+      part.least_height = height, part.least_height_element = group.id[e];
+    if (part.sound_speed > 0.0 && v > 0.0) {
+      const double step = (spacetime ? height : shortest_edge(group.shape, corner)) / part.sound_speed;
+      if (r.least_time_step_element == 0 || step < r.least_time_step)
+        r.least_time_step = step, r.least_time_step_element = group.id[e];
+    }
+  }
+}
+
 }  // namespace
 
 std::string guess_units(double density, double modulus) {
@@ -58,32 +124,8 @@ ModelReport report(const Model& model) {
     r.parts.push_back(line);
   }
 
-  std::array<Corner, 10> x;
-  for (const Elements& group : model.mesh.solids) {
-    const int n = nodes_of(group.shape);
-    for (std::size_t e = 0; e < group.count(); ++e) {
-      for (int a = 0; a < n; ++a) {
-        const double* at = p.data() + 3 * static_cast<std::size_t>(group.node[e * n + a]);
-        x[a] = {at[0], at[1], at[2]};
-      }
-      const std::span<const Corner> corner(x.data(), n);
-      PartReport& part = r.parts[group.part[e]];
-      const double v = volume(group.shape, corner);
-      ++part.elements;
-      part.volume += v;
-      part.mass += v * model.parts[group.part[e]].density;
-      const double jacobian = jacobian_ratio(group.shape, corner), aspect = aspect_ratio(group.shape, corner);
-      if (part.worst_jacobian_element == 0 || jacobian < part.worst_jacobian)
-        part.worst_jacobian = jacobian, part.worst_jacobian_element = group.id[e];
-      if (part.worst_aspect_element == 0 || aspect > part.worst_aspect)
-        part.worst_aspect = aspect, part.worst_aspect_element = group.id[e];
-      if (part.sound_speed > 0.0 && v > 0.0) {
-        const double step = shortest_edge(group.shape, corner) / part.sound_speed;
-        if (r.least_time_step_element == 0 || step < r.least_time_step)
-          r.least_time_step = step, r.least_time_step_element = group.id[e];
-      }
-    }
-  }
+  for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
+    for (const Elements& group : *groups) add(model, group, r);
 
   std::set<std::string> units;
   for (const PartReport& part : r.parts) {

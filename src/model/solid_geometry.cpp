@@ -24,9 +24,15 @@ constexpr Neighbours hex_corners[] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}
 constexpr Neighbours penta_corners[] = {{1, 2, 3}, {2, 0, 4}, {0, 1, 5}, {5, 4, 0}, {3, 5, 1}, {4, 3, 2}};
 constexpr Neighbours tet_corners[] = {{1, 2, 3}};
 
+constexpr Edge quad_edges[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, triangle_edges[] = {{0, 1}, {1, 2}, {2, 0}},
+               line_edges[] = {{0, 1}};
+
 std::span<const Edge> edges(Shape shape) {
   if (shape == Shape::hex8) return hex_edges;
   if (shape == Shape::penta6) return penta_edges;
+  if (shape == Shape::quad4) return quad_edges;
+  if (shape == Shape::tri3) return triangle_edges;
+  if (shape == Shape::line2) return line_edges;
   return tet_edges;
 }
 

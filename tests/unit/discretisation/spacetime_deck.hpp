@@ -1,10 +1,16 @@
 #pragma once
 /// Spacetime bodies from deck text, for the tests of this folder.
 
-#include <string>
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/threads.hpp"
 #include "deck/deck.hpp"
 #include "discretisation/spacetime/body.hpp"
+#include "discretisation/spacetime/scheduler.hpp"
 
 namespace cleave::discretisation::spacetime::test {
 
@@ -68,6 +74,61 @@ struct FromDeck {
     return map.apply(traces, load);
   }
 };
+
+/// Marches a body to its end on one thread; the solutions under the last front, by simplex. Any patch that is
+/// not solved fails the test.
+template <int D>
+std::vector<Solution<D>> solve(const Body<D>& body) {
+  base::set_thread_count(1);
+  const Pitcher<D> pitcher(body.mesh, body.pitch);
+  Front<D> front = pitcher.level_front(0.0);
+  std::vector<Solution<D>> under(static_cast<std::size_t>(body.mesh.simplex_count()));
+  std::vector<char> begun(under.size(), 0);
+  PatchSolver<D> solver(body.problem);
+  const FrontStatus status =
+      Scheduler<D>(pitcher).advance(front, body.end_time, [&](const Patch<D>& patch) -> Verdict {
+        std::vector<const Solution<D>*> older(patch.facets.size(), nullptr);
+        std::vector<Solution<D>> out(patch.elements.size());
+        const auto simplex = [&](std::int32_t element) {
+          return static_cast<std::size_t>(patch.elements[static_cast<std::size_t>(element)].simplex);
+        };
+        for (std::size_t f = 0; f < patch.facets.size(); ++f)
+          if (patch.facets[f].kind == FacetKind::inflow && begun[simplex(patch.facets[f].element)])
+            older[f] = &under[simplex(patch.facets[f].element)];
+        if (solver.solve(patch, older, out) != PatchStatus::solved)
+          return {.kind = Verdict::fail, .what = "patch not solved"};
+        for (std::size_t e = 0; e < out.size(); ++e) {
+          under[simplex(static_cast<std::int32_t>(e))] = std::move(out[e]);
+          begun[simplex(static_cast<std::int32_t>(e))] = 1;
+        }
+        return {};
+      });
+  EXPECT_TRUE(status.ok) << status.what;
+  return under;
+}
+
+/// A bar from 0 to 1 in two elements, 1 (nodes 1, 2) and 2 (nodes 2, 3), of the material below.
+inline const std::string bar_of_two =
+    "*KEYWORD\n"
+    "*CONTROL_TERMINATION\n1.0\n"
+    "*MAT_ELASTIC\n1,2.0,2.5,0.25\n"
+    "*SECTION_BEAM_SDG\n1,1,0,0,0.5\n"
+    "*PART\nbar\n1,1,1\n"
+    "*NODE\n1,0,0,0\n2,0.5,0,0\n3,1,0,0\n"
+    "*ELEMENT_BEAM\n1,1,1,2\n2,1,2,3\n"
+    "*DEFINE_CURVE\n9\n0,0\n2,2\n";
+inline const int after_bar = 22;
+/// One tetrahedron, element 1, with its corners at the origin and the unit points of the axes; same material.
+inline const std::string tetrahedron =
+    "*KEYWORD\n"
+    "*CONTROL_TERMINATION\n1.0\n"
+    "*MAT_ELASTIC\n1,2.0,2.5,0.25\n"
+    "*SECTION_SOLID_SDG\n1,\n"
+    "*PART\ntetrahedron\n1,1,1\n"
+    "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n"
+    "*ELEMENT_SOLID\n1,1,1,2,3,4,4,4,4,4\n"
+    "*DEFINE_CURVE\n9\n0,0\n2,2\n";
+inline const int after_tetrahedron = 22;
 
 /// Unit square of density 2, E = 2.5, nu = 0.25 (plane strain: lambda = mu = 1), nodes 1-4 around it and 5 in
 /// its middle, triangles 11 (below), 12, 13, 14 counter-clockwise. Ends without *END, so that text can

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "deck_text.hpp"
 #include "model/solid_geometry.hpp"
@@ -74,6 +75,33 @@ TEST(Check, WarnsOfWhatIsProbablyNotMeant) {
             std::string::npos);
   const Built mixed = build_text(cube + "*MAT_ELASTIC\n2,2700,7e10,0.3\n*PART\n\n2,1,2\n");
   EXPECT_NE(mixed.text().find("different units"), std::string::npos) << mixed.text();
+}
+
+TEST(Report, SpacetimePartsHaveHeights) {
+  const std::string head =
+      "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_ELASTIC\n1,2.0,2.5,0.25\n*PART\n\n1,1,1\n"
+      "*NODE\n1,0,0,0\n2,3,0,0\n3,3,4,0\n4,0,4,0\n5,7,0,0\n6,0,0,6\n";
+  // A rectangle of 3 by 4, whose diagonals are 5 long, and a triangle of 4 by 4; thickness one half.
+  Built b = build_text(head + "*SECTION_SHELL_SDG\n1,13,0,0,0.5\n*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,2,5,3,3\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  ModelReport r = report(b.model);
+  EXPECT_EQ(r.parts[0].elements, 2u);
+  EXPECT_NEAR(r.parts[0].volume, 0.5 * (12.0 + 8.0), 1e-13);
+  EXPECT_NEAR(r.mass, 2.0 * 10.0, 1e-13);
+  EXPECT_NEAR(r.parts[0].least_height, 2.4, 1e-14);
+  EXPECT_EQ(r.parts[0].least_height_element, 1);
+  EXPECT_NEAR(r.least_time_step, 2.4 / std::sqrt(1.5), 1e-13);
+  b = build_text(head + "*SECTION_BEAM_SDG\n1,1,0,0,0.5\n*ELEMENT_BEAM\n1,1,1,2\n2,1,2,5\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  r = report(b.model);
+  EXPECT_NEAR(r.volume, 3.5, 1e-13);
+  EXPECT_EQ(r.parts[0].least_height, 3.0);
+  b = build_text(head + "*SECTION_SOLID_SDG\n1,\n*ELEMENT_SOLID\n1,1,1,2,4,6,6,6,6,6\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  r = report(b.model);
+  EXPECT_NEAR(r.volume, 12.0, 1e-13);
+  // Height over the largest face, through (3, 0, 0), (0, 4, 0), (0, 0, 6): 1 / |(1/3, 1/4, 1/6)|.
+  EXPECT_NEAR(r.parts[0].least_height, 12.0 / std::sqrt(29.0), 1e-13);
 }
 
 }  // namespace

@@ -134,7 +134,87 @@ TEST(SpacetimeDeck, CracksBelongToSpacetimeParts) {
                   .says(Severity::error, after_cube + 1, "is not solved in spacetime"));
 }
 
+TEST(SpacetimeDeck, IncidentWavesAreChecked) {
+  const auto wave = [](const std::string& rows) {
+    return build_text(plate + "*SET_SEGMENT\n4\n1,2\n*BOUNDARY_NON_REFLECTING\n4\n*LOAD_INCIDENT_WAVE\n" +
+                      rows);
+  };
+  const Built b = wave("4,2,9,2.0,0.5\n0,3,4,1,2,0\n\n");
+  EXPECT_TRUE(b.says(Severity::error, after_plate + 7, "does not travel in the plane"));
+  const Built good = wave("4,2,9,2.0,0.5\n3,4,0,1,2,0\n\n");
+  ASSERT_FALSE(good.failed()) << good.text();
+  ASSERT_EQ(good.model.incident_waves.size(), 1u);
+  const IncidentWave& w = good.model.incident_waves[0];
+  EXPECT_EQ(w.kind, IncidentWave::Kind::shear);
+  EXPECT_NEAR(w.direction.x, 0.6, 1e-15);
+  EXPECT_NEAR(w.polarisation.x, -0.8, 1e-15);  // to the left of its path
+  EXPECT_EQ(w.reference.y, 2.0);
+  EXPECT_EQ(w.scale, 2.0);
+  EXPECT_EQ(w.arrival, 0.5);
+  EXPECT_TRUE(wave("4,3,9\n1,0,0\n").says(Severity::error, after_plate + 6, "found 3, expected 1 or 2"));
+  EXPECT_TRUE(wave("4,1,9\n0,0,0\n").failed());
+  EXPECT_TRUE(wave("4,2,9\n1,0,0\n2,0,0\n").says(Severity::error, after_plate + 8, "needs a direction"));
+  EXPECT_TRUE(build_text(cube + "*DEFINE_CURVE\n9\n0,0\n2,2\n*LOAD_INCIDENT_WAVE\n4,1,9\n1,0,0\n")
+                  .says(Severity::error, after_cube + 5, "for spacetime parts only"));
+}
+
+TEST(SpacetimeDeck, InitialStressesAreUniform) {
+  const auto stress = [](const std::string& rows) {
+    return build_text(plate + "*INITIAL_STRESS_SHELL\n" + rows);
+  };
+  const Built b = stress("2,1,1\n0,1,2,0,3\n1,1,2\n-1,4,5,0,6\n1,4,5,0,6\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  ASSERT_EQ(b.model.initial_stress.size(), 2u);
+  EXPECT_EQ(b.model.initial_stress[0].element, 1);  // in ascending order
+  EXPECT_EQ(b.model.initial_stress[0].stress[3], 6.0);
+  EXPECT_EQ(b.model.initial_stress[1].stress[1], 2.0);
+  EXPECT_TRUE(
+      stress("1,1,2\n-1,4,5,0,6\n1,4,5,0,7\n").says(Severity::error, after_plate + 2, "different stresses"));
+  EXPECT_TRUE(stress("7,1,1\n0,1,2\n").says(Severity::error, after_plate + 1, "is not defined"));
+  EXPECT_TRUE(stress("1,1,1\n0,1,2\n1,1,1\n0,1,2\n").says(Severity::error, after_plate + 3, "a second time"));
+  EXPECT_TRUE(stress("1,1,1\n0,1,2,0,0,0,0,0.1\n").failed());
+  EXPECT_TRUE(build_text(cube + "*INITIAL_STRESS_SOLID\n1,1\n1,2\n")
+                  .says(Severity::error, after_cube + 1, "is not solved in spacetime"));
+}
+
+const std::string orthotropic =
+    "*MAT_ORTHOTROPIC_ELASTIC\n1,7.85e-9,2.0e5,1.0e5,1.5e5,0.1,0.2,0.3\n"
+    "8.0e4,7.0e4,6.0e4,3.0\n0,0,0\n0,1,0,0,0,0,30.0\n";
+
+TEST(SpacetimeDeck, OrthotropicMaterials) {
+  const Built b = plate_with("*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n", orthotropic);
+  ASSERT_FALSE(b.failed()) << b.text();
+  const Part& part = b.model.parts.at(0);
+  ASSERT_TRUE(part.elastic);
+  EXPECT_FALSE(part.law);
+  EXPECT_FALSE(part.elastic->isotropic);
+  EXPECT_EQ(part.elastic->modulus[1], 1.0e5);
+  EXPECT_EQ(part.elastic->poisson_cb, 0.3);
+  EXPECT_EQ(part.elastic->shear_ca, 6.0e4);
+  EXPECT_EQ(part.elastic->axes, Elasticity::Axes::across);
+  EXPECT_NEAR(part.elastic->angle, 0.5235987755982988, 1e-15);
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string card = orthotropic;
+    return plate_with("*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n", card.replace(card.find(from), from.size(), to));
+  };
+  EXPECT_TRUE(with("0.1,0.2,0.3", "0.8,0.2,0.3").says(Severity::error, 5, "would gain energy"));
+  EXPECT_TRUE(with("7.85e-9", "0.0").says(Severity::error, 5, "density must be above 0"));
+  EXPECT_TRUE(with("6.0e4,3.0", "6.0e4,1.0").says(Severity::error, 6, "material axes by AOPT 1"));
+  EXPECT_TRUE(with("6.0e4,3.0", "6.0e4,3.0,5.0").says(Severity::error, 6, "not honoured"));  // damping
+  std::string solids = cube;
+  const std::string law = "*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n";
+  EXPECT_TRUE(build_text(solids.replace(solids.find(law), law.size(), orthotropic))
+                  .says(Severity::error, 4, "this law is not computed"));
+}
+
 TEST(SpacetimeDeck, RoundTrip) {
+  expect_round_trip(plate +
+                    "*SET_SEGMENT\n4\n1,2\n2,5\n*BOUNDARY_NON_REFLECTING\n4\n*LOAD_INCIDENT_WAVE\n4,2,9,0.7,"
+                    "0.3\n1,2,0,4,5\n\n"
+                    "4,1,9\n1,1,0\n*INITIAL_STRESS_SHELL\n1,1,1\n0,1.1,2,0,3\n2,1,1\n0,1,2,3,4\n");
+  std::string stiff = plate;
+  const std::string law = "*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n";
+  expect_round_trip(stiff.replace(stiff.find(law), law.size(), orthotropic));
   expect_round_trip(
       plate +
       "*CONTROL_SPACETIME\n1,2,0.9,3,0.2,0.8,0.01,0.25\n2,1,3\n*SET_SEGMENT\n4\n1,2\n2,5\n"
