@@ -167,7 +167,7 @@ inline std::string plate(int n) {
 }
 /// Line of the first one after plate(n).
 inline int after_plate(int n) {
-  return 14 + (n + 1) * (n + 1) + n * n + 3 + 1;
+  return 17 + (n + 1) * (n + 1) + n * n;
 }
 
 }  // namespace cleave::discretisation::spacetime::test
