@@ -30,7 +30,7 @@ Deck Deck::read(const std::filesystem::path& main_file, const ReadOptions& optio
   return start(main_file, std::move(text), std::move(storage), options, diagnostics);
 }
 
-Deck Deck::read_text(std::string text, const std::string& name, const ReadOptions& options,
+Deck Deck::read_text(std::string_view text, const std::string& name, const ReadOptions& options,
                      Diagnostics& diagnostics) {
   return start(name, Text::from_memory(text), std::make_shared<Sources::Storage>(), options, diagnostics);
 }

@@ -84,7 +84,7 @@ class Deck {
   static Deck read(const std::filesystem::path& main_file, const ReadOptions& options,
                    Diagnostics& diagnostics);
   /// The same from memory, for tests and fuzzing.
-  static Deck read_text(std::string text, const std::string& name, const ReadOptions& options,
+  static Deck read_text(std::string_view text, const std::string& name, const ReadOptions& options,
                         Diagnostics& diagnostics);
 
   const Sources& sources() const;

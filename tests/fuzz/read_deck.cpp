@@ -38,8 +38,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Diagnostics diagnostics;
   ReadOptions options;
   options.follow_includes = false;  // other files are not part of the input
-  const Deck deck =
-      Deck::read_text(std::string(reinterpret_cast<const char*>(data), size), "fuzz.k", options, diagnostics);
+  const Deck deck = Deck::read_text(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.k",
+                                    options, diagnostics);
   std::size_t sum = deck.title().size();
   for (const Block& block : deck.blocks()) {
     for (const Card& card : deck.cards(block, diagnostics)) sum += read(card);

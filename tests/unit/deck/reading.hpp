@@ -14,7 +14,7 @@ struct Reading {
   Diagnostics diagnostics;
   Deck deck;
 
-  explicit Reading(std::string text) : deck(Deck::read_text(std::move(text), "test.k", {}, diagnostics)) {}
+  explicit Reading(std::string_view text) : deck(Deck::read_text(text, "test.k", {}, diagnostics)) {}
 
   const Block& block(std::string_view keyword, std::size_t nth = 0) const {
     for (const Block& b : deck.blocks()) {
