@@ -51,6 +51,7 @@ std::vector<Segment> outer_faces(const Mesh& mesh, std::span<const Index> parts)
   }
   std::sort(outer.begin(), outer.end(), [](const Face& a, const Face& b) { return a.order < b.order; });
   std::vector<Segment> segments;
+  segments.reserve(outer.size());
   for (const Face& face : outer) segments.push_back(face.segment);
   return segments;
 }

@@ -255,7 +255,7 @@ class Tents final : public Solver, private CellSource {
     for (double& t : front_.time) t = values[at++];
     for (Budget& b : front_.budget) {
       b.step = values[at++];
-      b.newest = static_cast<std::int8_t>(values[at++]);
+      b.newest = static_cast<std::uint8_t>(values[at++]);
     }
     Exchange<D> x;
     for (double* number : {&x.boundary_work, &x.body_work, &x.dissipation, &x.volume}) *number = values[at++];

@@ -11,8 +11,8 @@ namespace cleave::discretisation::spacetime {
 
 /// Time budget of a triangle under newest-vertex bisection; see progress.hpp.
 struct Budget {
-  double step = 0.0;       ///< s of the triangle at its generation [time]
-  std::int8_t newest = 0;  ///< local number of the newest vertex; the edge opposite is bisected next
+  double step = 0.0;        ///< s of the triangle at its generation [time]
+  std::uint8_t newest = 0;  ///< local number of the newest vertex; the edge opposite is bisected next
 };
 
 template <int D>

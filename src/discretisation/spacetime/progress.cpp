@@ -126,7 +126,7 @@ Budget root_budget(const Cell<2>& cell, double eps) {
   const Point<2> m{0.5 * (b[0] + c[0]), 0.5 * (b[1] + c[1])};
   const double step = std::min({on_bc * distance(b, c) * 0.5, on_ab * distance(a, b) / std::numbers::sqrt2,
                                 on_ac * distance(a, c) / std::numbers::sqrt2, on_am * distance(a, m)});
-  return {.step = step, .newest = static_cast<std::int8_t>(newest)};
+  return {.step = step, .newest = static_cast<std::uint8_t>(newest)};
 }
 
 template <int D>

@@ -116,7 +116,7 @@ struct Scheduler<D>::Run {
     return true;
   }
 
-  bool fail(Vertex v, const Key& key, std::string what) {
+  bool fail(Vertex v, const Key& key, const std::string& what) {
     const std::lock_guard lock(failure_lock);
     if (failure.ok || key < failed_at) {
       failed_at = key;
@@ -124,7 +124,7 @@ struct Scheduler<D>::Run {
                  .vertex = v,
                  .time = key.time,
                  .bound = scheduler.pitcher_.sure_gain(front, v),
-                 .what = std::move(what),
+                 .what = what,
                  .patches = 0,
                  .slowed = {}};
       stop_after.store(key.time, std::memory_order_relaxed);
