@@ -143,7 +143,11 @@ std::vector<Skin> read_skins(const std::filesystem::path& directory, std::size_t
     notes.push_back("The 3D view shows " + std::to_string(chosen.size()) + " of " +
                     std::to_string(files.size()) + " frames, evenly spread.");
   for (const std::size_t number : chosen) {
-    Skin skin = number + 1 == files.size() ? std::move(last) : read(files[number]);
+    Skin skin;
+    if (number + 1 == files.size())
+      std::swap(skin, last);  // read already
+    else
+      skin = read(files[number]);
     if (!skin.edges.empty()) skins.push_back(std::move(skin));
   }
   return skins;
