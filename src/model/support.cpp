@@ -44,7 +44,9 @@ KeywordSupport support_of(std::string_view keyword) {
   if (handler && !handler->take && !handler->stream) handler = nullptr;
   const auto laws = law_fields(keyword, support.source);
   const bool material = keyword.starts_with("MAT_") || keyword.starts_with("EOS_");
-  if (!handler || (material && laws.empty())) {
+  // A material that a handler names, rather than by its family, serves parts without a law: spacetime ones.
+  const bool named = handler && !handler->keyword.ends_with('*');
+  if (!handler || (material && laws.empty() && !named)) {
     const Unhandled rule = unhandled(keyword);
     support.policy = rule.policy;
     support.remark = rule.remark;
@@ -54,6 +56,10 @@ KeywordSupport support_of(std::string_view keyword) {
   support.remark = handler->remark;
   if (handler->policy != Account::Policy::honoured) {
     support.policy = handler->policy;
+    return support;
+  }
+  if (material && laws.empty()) {
+    support.policy = Account::Policy::in_part;
     return support;
   }
   bool whole = true;

@@ -74,7 +74,8 @@ constexpr Handler handlers[] = {
      .phase = Phase::material,
      .honoured = "*",
      .take = take_material,
-     .remark = "in spacetime parts: AOPT 2 and below 0, and in the plane 0 and 3"},
+     .remark =
+         "in spacetime parts only: AOPT 2 and below 0, in the plane also 0 and 3; not G SIGF MACF IHIS REF"},
     {.keyword = "MAT_*", .phase = Phase::material, .honoured = "*", .take = take_material},
     {.keyword = "EOS_*", .phase = Phase::material, .honoured = "*", .take = take_state},
 };
