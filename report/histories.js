@@ -1,10 +1,11 @@
 // Plots the reader composes: a table, a quantity over time, and the entities to show.
 
-const kinds = { nodout: "node", elout: "element", matsum: "part", rwforc: "wall", spcforc: "support", glstat: "" };
-const titles = { nodout: "Nodes", elout: "Elements", matsum: "Parts", rwforc: "Rigid walls", spcforc: "Supports",
+const kinds = { nodout: "node", crack: "node", elout: "element", matsum: "part", rwforc: "wall", spcforc: "support", glstat: "" };
+const titles = { nodout: "Nodes", crack: "Cracks", elout: "Elements", matsum: "Parts", rwforc: "Rigid walls", spcforc: "Supports",
   glstat: "Whole model" };
 const firstChoices = {
   nodout: ["z_displacement", "y_displacement", "x_displacement"],
+  crack: ["opening", "sliding"],
   elout: ["effective_plastic_strain", "von_mises"],
   rwforc: ["normal_force"], matsum: ["internal_energy", "kinetic_energy"],
 };

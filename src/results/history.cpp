@@ -86,6 +86,7 @@ std::vector<double> HistoryWriter::remember() const {
 void HistoryWriter::write(const Snapshot& now) {
   std::string ascii, csv;
   Rows rows(csv, now.state());
+  now.evaluate(history_->needs());
   history_->write(now, ascii, rows);
   const std::string name(history_->name());
   append(ascii_, name, ascii);

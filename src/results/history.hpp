@@ -34,6 +34,8 @@ class History {
   virtual bool per_entity() const = 0;                   ///< then `id` is the third column
   virtual void legend(std::string& ascii) const = 0;     ///< after the title, before the first output
   virtual void prepare(const solver::Frame&) {}          ///< once, before the columns are asked for
+  /// What write() reads, bits of solver::Wanted.
+  virtual unsigned needs() const { return solver::everything; }
   virtual void write(const Snapshot& now, std::string& ascii, Rows& rows) = 0;
 };
 

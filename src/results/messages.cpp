@@ -77,6 +77,7 @@ class Messages final : public Writer {
 
  private:
   void course(const Snapshot& now) {
+    now.evaluate(solver::energies);
     std::string what;
     append_format(what, "energy ratio %.6f", now.state().energy.ratio());
     context_.log.event(now.state(), what);

@@ -28,6 +28,7 @@ class Progress final : public Writer {
 
   void after_step(const Snapshot& now) override {
     if (context_.options.wishes && context_.options.wishes->report.exchange(false)) {
+      now.evaluate(solver::energies);
       std::fprintf(stderr, "%s%s\n", shown_ ? "\r\033[K" : "", line(now.state()).c_str());
       context_.log.event(now.state(), "sw2: reported");
     }
@@ -35,6 +36,7 @@ class Progress final : public Writer {
     const auto at = Clock::now();
     if (at - last_ < pause) return;
     last_ = at;
+    now.evaluate(solver::energies);
     std::fprintf(stderr, "\r%s\033[K", line(now.state()).c_str());
     std::fflush(stderr);
   }

@@ -49,7 +49,7 @@ bool is_shown(const VtuFrame::Field& field) {
 /// The more telling field comes first in the menu.
 int rank(const std::string& name) {
   static constexpr const char* order[] = {
-      "effective_plastic_strain", "von_mises", "max_shear_stress", "pressure", "displacement", "velocity"};
+      "effective_plastic_strain", "max_shear_stress", "von_mises", "pressure", "displacement", "velocity"};
   const auto* at = std::find(std::begin(order), std::end(order), name);
   return static_cast<int>(at - std::begin(order));
 }

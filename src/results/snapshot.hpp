@@ -42,6 +42,10 @@ class Snapshot {
   Snapshot(const solver::Frame& frame, const Masses& masses) : frame_(frame), masses_(masses) {}
 
   const solver::Frame& frame() const { return frame_; }
+  /// Before anything of solver::Wanted is read.
+  void evaluate(unsigned wanted) const {
+    if (wanted && frame_.evaluate) frame_.evaluate(wanted);
+  }
   const model::Model& model() const { return frame_.model; }
   const discretisation::State& state() const { return frame_.state; }
   const Masses& masses() const { return masses_; }

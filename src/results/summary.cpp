@@ -70,6 +70,7 @@ void Summary::begin(const Snapshot& now, const discretisation::Memory* resumed) 
 void Summary::after_step(const Snapshot& now) {
   const discretisation::State& state = now.state();
   if (state.step > 0.0) step_.include(state.step);
+  if (!now.frame().energies_due) return;  // the same, whoever asked for them
   ratio_.include(state.energy.ratio());
   kinetic_.include(state.energy.kinetic);
   internal_.include(state.energy.internal);
@@ -84,6 +85,7 @@ std::vector<double> Summary::remember() const {
 }
 
 void Summary::finish(const Snapshot& now, Ending ending, const discretisation::StepStatus& status) {
+  now.evaluate(solver::everything);
   const discretisation::State& state = now.state();
   ending_ = ending;
   status_ = status;

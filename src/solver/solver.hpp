@@ -70,6 +70,25 @@ class CellSource {
   virtual CellFields tents() const = 0;
 };
 
+/// Displacement of one more side of a crack against the first, at a node of *DATABASE_HISTORY_NODE:
+/// opening * normal + sliding * tangent.
+struct CrackOpening {
+  model::Index node = -1;
+  int side = 2;                  ///< counted from 1, by the order of the elements around the node
+  double opening = 0.0;          ///< along the normal: positive where the faces have come apart [length]
+  double sliding = 0.0;          ///< along the faces. In the plane along the normal turned by a right angle
+                                 ///< counter-clockwise, in space the amount [length]
+  double normal[3] = {0, 0, 0};  ///< of the undeformed crack, from the first side to this one
+};
+
+/// What of a frame a solver may leave out until an observer asks for it, because it costs time: bits.
+enum Wanted : unsigned {
+  every_node = 1u,  ///< nodal values of all nodes; those of *DATABASE_HISTORY_NODE are always there
+  energies = 2u,    ///< of the State and its parts, PartMotion, facts
+  reactions = 4u,   ///< Frame::reaction
+  everything = 7u
+};
+
 /// A named number of a run for its summary, and the table of a solver's own at one instant.
 struct Fact {
   std::string name;  ///< lower case, with underscores
@@ -106,6 +125,11 @@ struct Frame {
   std::function<void()> save = {};  ///< brings State::memory up to date before it is saved; empty: it is
   std::span<const InterfaceForce> interfaces = {};  ///< one per Model::contacts
   std::span<const double> contact_force = {};       ///< [node][3] of all contacts; empty without any [force]
+  std::span<const CrackOpening> cracks = {};        ///< the same nodes and sides in all frames of a run
+  /// Brings what is wanted (bits of Wanted) up to t_n; empty: everything is there. Nothing of it moves in
+  /// memory.
+  std::function<void(unsigned)> evaluate = {};
+  bool energies_due = true;  ///< energies are those of t_n without being asked for
 };
 
 enum class Ending {

@@ -16,6 +16,7 @@
 #include "base/threads.hpp"
 #include "solver/tents_album.hpp"
 #include "solver/tents_cells.hpp"
+#include "solver/tents_crack.hpp"
 #include "solver/tents_instants.hpp"
 #include "solver/tents_patches.hpp"
 #include "solver/tents_state.hpp"
@@ -46,11 +47,13 @@ class Tents final : public Solver, private CellSource {
         options_(options),
         pitcher_(body_->mesh, body_->pitch),
         instants_(output_instants(model_, body_->end_time)),
+        energies_due_(energy_instants(model_, instants_)),
         pauses_(pauses(instants_, wave_time())),
         outside_(*body_),
         columns_(*body_, instants_),
         patches_(*body_, outside_, columns_),
         filler_(model_, *body_, outside_),
+        cracks_(model_, *body_),
         album_(options.tents),
         verify_(body_->verify) {}
 
@@ -121,6 +124,7 @@ class Tents final : public Solver, private CellSource {
     }
     time_ = state.time;
     fill(state, saved != state.memory.end());
+    evaluate(state, everything);
     return {};
   }
 
@@ -151,26 +155,61 @@ class Tents final : public Solver, private CellSource {
       state.step = time_ - state.time;
       state.time = time_;
       ++state.cycle;
+      ++written_;
       fill(state, false);
-      columns_.written(++written_);
+      for (Observer* observer : observers) observer->after_step(frame(state));
+      book(output_);
+      ending = reason_to_end(model_, state, options_, wishes);
+      // What is done before the front moves on, or the run ends, can no longer be told from what comes after.
+      if (ending || written_ == instants_.size() || instants_[written_] > reached)
+        evaluate(state, everything);
+      columns_.written(written_);
       book(cutting_);
-      if (const double excess = filler_.volume_error(time_); verify_ && !(excess <= volume_tolerance))
+      if (const double excess = filler_.volume_error(exchanged_at_); verify_ && !(excess <= volume_tolerance))
         return {false, -1, 0,
                 "the volumes of the tents do not add up to body times time: relative error " +
                     std::to_string(excess),
                 "an error of the program; please report it with the deck"};
-      for (Observer* observer : observers) observer->after_step(frame(state));
-      book(output_);
-      ending = reason_to_end(model_, state, options_, wishes);
     }
     return {};
   }
 
+  /// What every observer may read unasked. The state says the rest of the instant before until evaluate().
   void fill(State& state, bool resumed) {
     const Instant<D> instant(*body_, columns_, time_);
-    filler_.fill(state, instant, resumed);
+    have_ = 0;
+    filler_.fill_nodes(state, instant, false);
+    cracks_.fill(instant);
+    if (resumed) {
+      filler_.fill_energies(state, instant, true);
+      list_facts(state);
+      have_ = energies;
+    }
+    book(cutting_);
+    // A run that may be ended by its energies looks at them always.
+    if (energies_due() || model_.control.end.energy_change > 0.0) evaluate(state, energies);
+  }
+  bool energies_due() const { return written_ == 0 || energies_due_[written_ - 1]; }
+
+  void evaluate(State& state, unsigned wanted) {
+    wanted &= ~have_;
+    if (wanted == 0) return;
+    have_ |= wanted;
+    book(output_);
+    const Instant<D> instant(*body_, columns_, time_);
+    if (wanted & every_node) filler_.fill_nodes(state, instant, true);
+    if (wanted & reactions) filler_.fill_reactions(instant);
+    if (wanted & energies) {
+      filler_.fill_energies(state, instant, false);
+      list_facts(state);
+    }
+    book(cutting_);
+  }
+
+  void list_facts(const State& state) {
     const Exchange<D>& exchanged = filler_.exchanged();
     const double scale = body_->thickness;
+    exchanged_at_ = time_;
     facts_.clear();
     const auto fact = [&](const char* name, double value) { facts_.push_back({name, value}); };
     const auto& energy = state.energy;
@@ -214,7 +253,9 @@ class Tents final : public Solver, private CellSource {
   }
 
   /// The front, the columns and the counts as the memory of a state.
-  void save(State& state) const {
+  void save(State& state) {
+    evaluate(state, everything);
+    columns_.written(written_);
     auto entry = std::find_if(state.memory.begin(), state.memory.end(),
                               [](const auto& memory) { return memory.name == memory_name; });
     if (entry == state.memory.end()) entry = state.memory.insert(entry, {memory_name, {}});
@@ -264,7 +305,7 @@ class Tents final : public Solver, private CellSource {
     return columns_.load(values.subspan(size));
   }
 
-  Frame frame(State& state) const {
+  Frame frame(State& state) {
     return {.model = model_,
             .world = world_,
             .state = state,
@@ -277,7 +318,10 @@ class Tents final : public Solver, private CellSource {
             .motion = filler_.motion(),
             .cells = this,
             .facts = facts_,
-            .save = [this, &state] { save(state); }};
+            .save = [this, &state] { save(state); },
+            .cracks = cracks_.openings(),
+            .evaluate = [this, &state](unsigned wanted) { evaluate(state, wanted); },
+            .energies_due = energies_due()};
   }
 
   void book(double& phase) {
@@ -314,6 +358,7 @@ class Tents final : public Solver, private CellSource {
   const Options options_;
   const Pitcher<D> pitcher_;
   const std::vector<double> instants_;
+  const std::vector<char> energies_due_;  ///< [instant]
   const std::vector<std::size_t> pauses_;
   const Outside<D> outside_;
 
@@ -321,8 +366,11 @@ class Tents final : public Solver, private CellSource {
   Columns<D> columns_;
   PatchRunner<D> patches_;
   StateFiller<D> filler_;
-  std::size_t written_ = 0;  ///< instants
-  double time_ = 0.0;        ///< of the instant written last
+  CrackSides<D> cracks_;
+  std::size_t written_ = 0;    ///< instants
+  double time_ = 0.0;          ///< of the instant written last
+  unsigned have_ = 0;          ///< what of it is in the state, bits of Wanted
+  double exchanged_at_ = 0.0;  ///< the energies in the state are those of this time [time]
   TentAlbum<D> album_;
   bool verify_;  ///< a run that began with it goes on with it
   Tally tally_;

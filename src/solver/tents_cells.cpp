@@ -75,15 +75,14 @@ double strain_energy(const PlaceState<D>& place) {
   return sum;
 }
 
-/// Half the difference of the principal stresses in the plane; von Mises stress in space.
+/// Of the tensor in space, with the stress across the plane.
 template <int D>
-double equivalent(const Voigt<D>& s) {
-  if constexpr (D == 2) return std::hypot(0.5 * (s[0] - s[1]), s[2]);
-  if constexpr (D == 3) {
-    const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-    return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-  }
-  return 0.0;
+double von_mises(const PlaceState<D>& place) {
+  const Voigt<D>& s = place.stress;
+  const double third = D == 3 ? s[2] : place.across, a = s[0] - s[1], b = s[1] - third, c = third - s[0];
+  double shear = 0.0;
+  for (int k = D; k < strain_count<D>; ++k) shear += s[k] * s[k];
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * shear);
 }
 
 }  // namespace
@@ -108,7 +107,9 @@ CellFields cells_at(const model::Model& model, const Body<D>& body, const Instan
   field("velocity", 3);
   field("stress", stresses);
   field("strain_energy_density", 1);
-  if (D > 1) field(D == 2 ? "max_shear_stress" : "von_mises", 1);
+  if (D == 2) field("max_shear_stress", 1);
+  if (D > 1) field("von_mises", 1);
+  if (D == 2) field("stress_across", 1);
 
   base::for_each_range(simplices, 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -126,7 +127,12 @@ CellFields cells_at(const model::Model& model, const Body<D>& body, const Instan
         std::copy_n(place.state.v.begin(), D, &out.fields[1].value[3 * at]);
         std::copy_n(place.stress.begin(), stresses, &out.fields[2].value[stresses * at]);
         out.fields[3].value[at] = strain_energy(place);
-        if constexpr (D > 1) out.fields[4].value[at] = equivalent<D>(place.stress);
+        if constexpr (D == 2) {
+          const Voigt<D>& stress = place.stress;
+          out.fields[4].value[at] = std::hypot(0.5 * (stress[0] - stress[1]), stress[2]);
+          out.fields[6].value[at] = place.across;
+        }
+        if constexpr (D > 1) out.fields[D == 2 ? 5 : 4].value[at] = von_mises<D>(place);
       }
       for (std::size_t c = 0; c < parts.cell.size(); ++c) {
         const std::size_t at = k * parts.cell.size() + c;

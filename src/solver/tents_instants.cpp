@@ -21,16 +21,22 @@ void add(const model::Interval& interval, const model::Model& model, double end,
   }
 }
 
-}  // namespace
-
-std::vector<double> output_instants(const model::Model& model, double end_time) {
+/// All but those of nodout, in no order.
+std::vector<double> instants_of_energies(const model::Model& model, double end_time) {
   const model::Requests& wanted = model.requests;
   model::Interval energies = wanted.glstat;
   if (!energies.active()) energies.every = end_time / energy_outputs;
   std::vector<double> all;
-  for (const model::Interval& interval :
-       {energies, wanted.field, wanted.matsum, wanted.nodout, wanted.spcforc})
+  for (const model::Interval& interval : {energies, wanted.field, wanted.matsum, wanted.spcforc})
     add(interval, model, end_time, all);
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> output_instants(const model::Model& model, double end_time) {
+  std::vector<double> all = instants_of_energies(model, end_time);
+  add(model.requests.nodout, model, end_time, all);
   std::sort(all.begin(), all.end());
   std::vector<double> instants;
   for (const double t : all)
@@ -38,6 +44,17 @@ std::vector<double> output_instants(const model::Model& model, double end_time) 
       instants.push_back(t);
   instants.push_back(end_time);
   return instants;
+}
+
+std::vector<char> energy_instants(const model::Model& model, const std::vector<double>& instants) {
+  const double end = instants.back();
+  std::vector<char> due(instants.size(), 0);
+  due.back() = 1;
+  for (const double t : instants_of_energies(model, end)) {
+    const auto at = std::lower_bound(instants.begin(), instants.end(), t - same * end);
+    if (at != instants.end()) due[static_cast<std::size_t>(at - instants.begin())] = 1;
+  }
+  return due;
 }
 
 std::vector<std::size_t> pauses(const std::vector<double>& instants, double shortest) {

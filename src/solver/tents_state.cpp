@@ -20,6 +20,12 @@ StateFiller<D>::StateFiller(const model::Model& model, const Body& body, const O
     if (!taken) vertex_.push_back(v);
     taken = 1;
   }
+  std::vector<char> watched(nodes, 0);
+  for (const model::Index node : model.requests.history_nodes) watched[static_cast<std::size_t>(node)] = 1;
+  for (const auto& bound : model.control.end.nodes) watched[static_cast<std::size_t>(bound.node)] = 1;
+  for (const Vertex v : vertex_)
+    if (watched[static_cast<std::size_t>(body.node_of_vertex[static_cast<std::size_t>(v)])])
+      watched_.push_back(v);
   std::vector<char> fixed(nodes, 0);
   for (const auto& held : model.fixed)
     if (held.directions & 7u)
@@ -53,9 +59,7 @@ void StateFiller<D>::start(State& state) const {
 }
 
 template <int D>
-void StateFiller<D>::fill(State& state, const Instant<D>& instant, bool resumed) {
-  fill_nodes(state, instant);
-  fill_reactions(instant);
+void StateFiller<D>::fill_energies(State& state, const Instant<D>& instant, bool resumed) {
   const std::vector<PartSums<D>> sums = instant.sums();
   momentum_ = {};
   double kinetic = 0.0, internal = 0.0;
@@ -79,10 +83,11 @@ void StateFiller<D>::fill(State& state, const Instant<D>& instant, bool resumed)
 }
 
 template <int D>
-void StateFiller<D>::fill_nodes(State& state, const Instant<D>& instant) {
-  base::for_each_range(vertex_.size(), 256, [&](std::size_t begin, std::size_t end) {
+void StateFiller<D>::fill_nodes(State& state, const Instant<D>& instant, bool every) {
+  const std::vector<Vertex>& wanted = every ? vertex_ : watched_;
+  base::for_each_range(wanted.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const Vertex v = vertex_[k];
+      const Vertex v = wanted[k];
       const PlaceState<D> place = instant.at_vertex(v);
       const auto at = 3 * static_cast<std::size_t>(body_.node_of_vertex[static_cast<std::size_t>(v)]);
       for (std::size_t i = 0; i < D; ++i) {
@@ -94,7 +99,6 @@ void StateFiller<D>::fill_nodes(State& state, const Instant<D>& instant) {
   });
 }
 
-/// Forces of the boundary on the nodes of its held faces; others stay zero.
 template <int D>
 void StateFiller<D>::fill_reactions(const Instant<D>& instant) {
   std::vector<Vector<D>> force(static_cast<std::size_t>(body_.mesh.vertex_count()), Vector<D>{});

@@ -21,9 +21,16 @@ class StateFiller {
   void start(discretisation::State& state) const;
   /// What was exchanged before the instant that a resumed state was filled at.
   void resume(const discretisation::spacetime::Exchange<D>& exchanged) { exchanged_ = exchanged; }
+  /// Position, velocity and acceleration of nodes.
+  /// @param every  else of those alone that histories show or that may end the run
+  void fill_nodes(discretisation::State& state, const discretisation::spacetime::Instant<D>& instant,
+                  bool every);
   /// @param resumed  the state was filled at this instant before it was saved: keeps its energies, which need
   ///                 elements that are no longer there
-  void fill(discretisation::State& state, const discretisation::spacetime::Instant<D>& instant, bool resumed);
+  void fill_energies(discretisation::State& state, const discretisation::spacetime::Instant<D>& instant,
+                     bool resumed);
+  /// Forces of the boundary on the nodes of its held faces; others stay zero.
+  void fill_reactions(const discretisation::spacetime::Instant<D>& instant);
 
   std::span<const double> acceleration() const { return acceleration_; }  ///< [node][3] [length/time^2]
   std::span<const double> reaction() const { return reaction_; }          ///< [node][3] [force]
@@ -34,14 +41,12 @@ class StateFiller {
   double volume_error(double time) const;
 
  private:
-  void fill_nodes(discretisation::State& state, const discretisation::spacetime::Instant<D>& instant);
-  void fill_reactions(const discretisation::spacetime::Instant<D>& instant);
-
   const model::Model& model_;
   const Body& body_;
   const discretisation::spacetime::Outside<D>& outside_;
-  std::vector<Vertex> vertex_;  ///< [shown] vertices whose values their nodes show, ascending
-  std::vector<char> held_;      ///< [boundary face] all its nodes are held in some direction
+  std::vector<Vertex> vertex_;   ///< [shown] vertices whose values their nodes show, ascending
+  std::vector<Vertex> watched_;  ///< those of nodes that are filled at every instant
+  std::vector<char> held_;       ///< [boundary face] all its nodes are held in some direction
   std::vector<double> acceleration_, reaction_;
   std::vector<PartMotion> motion_;
   std::array<double, 3> momentum_{};

@@ -153,6 +153,13 @@ Vector<D> Elastic<D>::speeds(const Vector<D>& n) const {
 }
 
 template <int D>
+double Elastic<D>::stress_across(const Voigt<D>& strain) const {
+  double sum = 0.0;
+  for (int c = 0; c < strain_count<D>; ++c) sum += across[c] * work_factor<D>(c) * strain[c];
+  return sum;
+}
+
+template <int D>
 std::string make_isotropic(double density, double young, double poisson, PlaneKind plane, Elastic<D>& out) {
   if (!(young > 0.0)) return "Young's modulus must be positive";
   if (!(poisson > -1.0 && poisson < 0.5)) return "Poisson's ratio must lie between -1 and 1/2";
@@ -169,6 +176,8 @@ std::string make_isotropic(double density, double young, double poisson, PlaneKi
       if (i < D && j < D) out.stiffness[i][j] = lambda + (i == j ? 2.0 * shear : 0.0);
       if (i >= D && i == j) out.stiffness[i][j] = shear;
     }
+  if constexpr (D == 2)
+    if (plane == PlaneKind::strain) out.across = {lambda, lambda, 0.0};
   return derive(out);
 }
 

@@ -46,12 +46,15 @@ struct Elastic {
   Matrix<strain_count<D>> stiffness{};  ///< stress_I = stiffness_IJ W_J E_J, symmetric [stress]
   double fastest = 0.0;                 ///< largest phase speed over all directions [length/time]
   bool isotropic = false;
+  /// Stress across the plane = across_I W_I E_I; zero in plane stress, and for D = 1 and 3. [stress]
+  Voigt<D> across{};
   Matrix<strain_count<D>> to_energy{};    ///< (W C W)^(1/2), symmetric
   Matrix<strain_count<D>> from_energy{};  ///< its inverse
   /// Scaled fluxes: (flux[j] E_w)_i = sigma_ij / sqrt(rho), so that A^j becomes [[0, -flux], [-flux^T, 0]].
   std::array<Matrix<D, strain_count<D>>, D> flux{};
 
   Voigt<D> stress(const Voigt<D>& strain) const;
+  double stress_across(const Voigt<D>& strain) const;
   /// Z = (rho Gamma)^(1/2) with the Christoffel matrix Gamma_ik = C_ijkl n_j n_l, |n| = 1.
   /// [mass / (length^(D-1) time)]
   Matrix<D> impedance(const Vector<D>& n) const;
@@ -67,6 +70,7 @@ enum class PlaneKind { strain, stress };
 template <int D>
 std::string make_isotropic(double density, double young, double poisson, PlaneKind plane, Elastic<D>& out);
 
+/// The stress across the plane stays zero, as in plane stress: in plane strain the caller sets `across`.
 /// @param stiffness symmetric, engineering: stress = stiffness (11, .., 2 E12, ..) [stress]
 /// Fails, with the reason, if density is not positive or the stiffness not symmetric and positive definite.
 template <int D>

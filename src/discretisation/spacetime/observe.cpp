@@ -201,6 +201,7 @@ PlaceState<D> Instant<D>::at(Simplex s, const Point<D>& x) const {
     out.state = body_.problem.initial(s, y);
   }
   out.stress = elastic.stress(out.state.strain);
+  out.across = elastic.stress_across(out.state.strain);
   return out;
 }
 
@@ -221,6 +222,7 @@ PlaceState<D> Instant<D>::at_vertex(Vertex v) const {
     add_to(mean.state.strain, one.state.strain);
     add_to(mean.acceleration, one.acceleration);
     add_to(mean.stress, one.stress);
+    mean.across += weight * one.across;
   }
   const auto divide = [&](auto& sum) {
     for (double& component : sum) component /= total;
@@ -230,6 +232,7 @@ PlaceState<D> Instant<D>::at_vertex(Vertex v) const {
   divide(mean.state.strain);
   divide(mean.acceleration);
   divide(mean.stress);
+  mean.across /= total;
   return mean;
 }
 

@@ -21,6 +21,7 @@ struct PlaceState {
   PointState<D> state;
   Vector<D> acceleration{};  ///< time derivative of the velocity polynomial [length/time^2]
   Voigt<D> stress{};         ///< [stress]
+  double across = 0.0;       ///< stress across the plane, D = 2 [stress]
 };
 
 /// A plane of time through the solution that columns hold; at the start, before any element, the initial

@@ -24,6 +24,7 @@ class Glstat final : public History {
   std::string_view name() const override { return "glstat"; }
   bool per_entity() const override { return false; }
   void legend(std::string&) const override {}
+  unsigned needs() const override { return solver::energies; }
   std::vector<std::string> columns() const override {
     return {"time_step",
             "kinetic_energy",

@@ -13,6 +13,7 @@ class Matsum final : public History {
   explicit Matsum(const model::Model& model) : model_(model) {}
   std::string_view name() const override { return "matsum"; }
   bool per_entity() const override { return true; }
+  unsigned needs() const override { return solver::energies; }
   std::vector<std::string> columns() const override {
     return {"internal_energy",
             "kinetic_energy",

@@ -11,6 +11,7 @@ class Nodout final : public History {
   explicit Nodout(const model::Model& model) : model_(model) {}
   std::string_view name() const override { return "nodout"; }
   bool per_entity() const override { return true; }
+  unsigned needs() const override { return 0; }
   std::vector<std::string> columns() const override {
     std::vector<std::string> names;
     for (const char* what : {"displacement", "velocity", "acceleration", "coordinate"})

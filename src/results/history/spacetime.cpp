@@ -16,6 +16,7 @@ class Spacetime final : public History {
   void prepare(const solver::Frame& frame) override {
     for (const solver::Fact& fact : frame.facts) columns_.push_back(fact.name);
   }
+  unsigned needs() const override { return solver::energies; }
   std::vector<std::string> columns() const override { return columns_; }
   void legend(std::string&) const override {}
 

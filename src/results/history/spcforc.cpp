@@ -32,6 +32,7 @@ class Spcforc final : public History {
   }
   std::string_view name() const override { return "spcforc"; }
   bool per_entity() const override { return true; }
+  unsigned needs() const override { return solver::reactions; }
   std::vector<std::string> columns() const override { return {"x_force", "y_force", "z_force"}; }
   void legend(std::string& ascii) const override { ascii += " single point constraint forces\n\n"; }
 

@@ -50,6 +50,7 @@ struct Watcher final : Observer {
 
  private:
   void add(const Frame& f) {
+    f.evaluate(everything);
     seen.push_back({f.state.time,
                     f.state.energy,
                     f.state.position,

@@ -273,9 +273,8 @@ def scattering(name, coarse, fine, degree, end, case=True):
             x = mesh.nodes[node - 1][0]
             for t in (0.12, 0.25, 0.5, 0.75, 0.95):
                 u = 2 * t * (1 + sum(exact.displacement(t / r) - 1 for r in (0.5 - x, 0.5 + x)))
-                side = -1 if x == 0.0 else 1   # a node on a crack shows its first side, by the order of the elements
                 far = t < 0.5 - x
-                deck.says("expect", f"y_displacement node={node} time={1 + t:g}  {side * u:.6g}  "
+                deck.says("expect", f"opening node={node} file=crack time={1 + t:g}  {2 * u:.6g}  "
                           f"rel={0.02 if t < 0.2 else 0.005 if far else 0.01} (order{': before the tips are felt' if far else ''})")
     common(deck, end, degree=degree, interval=0.01, nodes=places, frames=20)
     deck.card("SECTION_SHELL_SDG", [1])

@@ -1,0 +1,166 @@
+/// What observers are shown beside the motion: openings of cracks, stresses across the plane, and that what
+/// nobody asks for is not worked out.
+
+#include "tents_rig.hpp"
+
+namespace cleave::solver::test {
+namespace {
+
+/// Does not ask for anything; keeps what it sees.
+struct Bystander final : Observer {
+  struct At {
+    double time, kinetic, x;
+    bool due;
+    std::vector<CrackOpening> cracks;
+  };
+  std::vector<At> seen;
+  CellFields first_cells;
+  discretisation::Id node = 0;
+
+  void begin(const Frame& frame) override {
+    first_cells = frame.cells->cells();
+    after_step(frame);
+  }
+  void after_step(const Frame& f) override {
+    seen.push_back({f.state.time,
+                    f.state.energy.kinetic,
+                    f.state.position[3 * static_cast<std::size_t>(node)],
+                    f.energies_due,
+                    {f.cracks.begin(), f.cracks.end()}});
+  }
+  void finish(const Frame& frame, Ending, const discretisation::StepStatus&) override { frame.save(); }
+};
+
+template <int D>
+Outcome observe(const Rig<D>& rig, Bystander& who, discretisation::State& state) {
+  Wishes wishes;
+  Observer* const observers[] = {&who};
+  return make_tents<D>(rig.world, rig.body(), {})->advance(state, observers, wishes);
+}
+
+/// Two halves of a body, cut through across the last axis, fly apart without strain: the opening is velocity
+/// times time across the cut, the sliding along it.
+template <int D>
+void fly_apart(SpaceMeshInput<D> mesh) {
+  for (std::size_t s = 0; s < mesh.simplex.size(); ++s)
+    for (std::size_t i = 0; i <= D; ++i) {  // faces with all corners in the middle
+      std::array<Vertex, D> face;
+      std::size_t n = 0;
+      bool inside = true;
+      double side = 0.0;
+      for (std::size_t c = 0; c <= D; ++c) {
+        const double x = mesh.vertex[static_cast<std::size_t>(mesh.simplex[s][c])][D - 1];
+        if (c == i) {
+          side = x;
+        } else {
+          face[n++] = mesh.simplex[s][c];
+          inside = inside && std::abs(x - 0.5) < 1e-12;
+        }
+      }
+      if (inside && side > 0.5) mesh.crack.push_back(face);
+    }
+  ASSERT_FALSE(mesh.crack.empty());
+  Rig<D> rig(std::move(mesh), 0.3, 0.05);
+  rig.space = {LocalSpace::three_field, 1};
+  rig.initial = [](Simplex, const Event<D>& y) {
+    PointState<D> s;
+    if (y[D - 1] < 0.5) return s;
+    s.v[0] = D > 1 ? 0.3 : 0.0;
+    s.v[D - 1] = 0.7;
+    return s;
+  };
+  rig.model.precracks.emplace_back();
+  for (std::size_t v = 0; v < rig.input.vertex.size(); ++v)
+    if (std::abs(rig.input.vertex[v][D - 1] - 0.5) < 1e-12)
+      rig.model.requests.history_nodes.push_back(static_cast<model::Index>(v));
+  rig.model.requests.history_nodes.push_back(0);  // on no crack
+  Bystander who;
+  auto state = rig.fresh();
+  ASSERT_TRUE(observe(rig, who, state).status.ok);
+  for (const auto& at : who.seen) {
+    ASSERT_EQ(at.cracks.size(), rig.model.requests.history_nodes.size() - 1);
+    for (const CrackOpening& crack : at.cracks) {
+      EXPECT_EQ(crack.side, 2);
+      EXPECT_NEAR(crack.opening, 0.7 * at.time, 1e-12);
+      EXPECT_NEAR(crack.sliding, D == 1 ? 0.0 : D == 2 ? -0.3 * at.time : 0.3 * at.time, 1e-12);
+      EXPECT_NEAR(std::abs(crack.normal[D - 1]), 1.0, 1e-14);
+    }
+  }
+}
+
+TEST(TentsCrack, OpeningOfTwoHalvesThatFlyApart) {
+  fly_apart<1>(sample::line(4));
+  fly_apart<2>(sample::grid(4));
+  fly_apart<3>(sample::cube(2));
+}
+
+/// Plane strain: no strain across the plane asks for nu times the sum of the stresses in it.
+TEST(TentsCells, StressAcrossThePlane) {
+  Rig<2> rig(sample::grid(2), 0.01, 0.01);
+  rig.initial = [](Simplex, const Event<2>&) {
+    PointState<2> s;
+    s.strain = {0.01, 0.02, 0.005};
+    return s;
+  };
+  Bystander who;
+  auto state = rig.fresh();
+  ASSERT_TRUE(observe(rig, who, state).status.ok);
+  const auto field = [&](std::string_view name) {
+    for (const auto& f : who.first_cells.fields)
+      if (f.name == name) return f.value;
+    ADD_FAILURE() << name;
+    return std::vector<double>(3, 0.0);
+  };
+  const double s11 = 0.05 / 3.0, s22 = 0.07 / 3.0, s12 = 0.01 / 3.0;  // lambda = mu = 1/3
+  const double s33 = 0.25 * (s11 + s22);
+  EXPECT_NEAR(field("stress")[0], s11, 1e-15);
+  EXPECT_NEAR(field("stress_across")[0], s33, 1e-15);
+  EXPECT_NEAR(field("max_shear_stress")[0], std::hypot(0.5 * (s11 - s22), s12), 1e-15);
+  const double mises = std::sqrt(
+      0.5 * (std::pow(s11 - s22, 2) + std::pow(s22 - s33, 2) + std::pow(s33 - s11, 2)) + 3.0 * s12 * s12);
+  EXPECT_NEAR(field("von_mises")[0], mises, 1e-15);
+
+  Elastic<2> plate;
+  ASSERT_EQ(make_isotropic<2>(1.0, 5.0 / 6.0, 0.25, PlaneKind::stress, plate), "");
+  EXPECT_EQ(plate.stress_across({0.01, 0.02, 0.005}), 0.0);
+}
+
+/// Between instants of energies a run that is only asked for nodes evaluates those alone, and comes to the
+/// same bits.
+TEST(TentsInstants, OnlyWhatIsAskedForIsEvaluated) {
+  const auto make = [] {
+    auto rig = std::make_unique<Rig<2>>(sample::grid(3, 0.2), 0.2, 0.1);
+    make_standing_wave(*rig);
+    rig->model.requests.nodout.every = 0.005;
+    rig->model.requests.history_nodes = {5};
+    return rig;
+  };
+  const auto all = make(), few = make();
+  Watcher watcher;
+  auto state = all->fresh();
+  all->run(state, watcher);
+  Bystander who;
+  who.node = 5;
+  auto other = few->fresh();
+  ASSERT_TRUE(observe(*few, who, other).status.ok);
+
+  ASSERT_EQ(who.seen.size(), watcher.seen.size());
+  std::size_t due = 0, current = 0;
+  for (std::size_t k = 0; k < who.seen.size(); ++k) {
+    EXPECT_EQ(who.seen[k].x, watcher.seen[k].position[15]);
+    const bool same = who.seen[k].kinetic == watcher.seen[k].energy.kinetic;
+    EXPECT_TRUE(same || !who.seen[k].due) << who.seen[k].time;
+    due += who.seen[k].due;
+    current += same;
+  }
+  EXPECT_EQ(due, 3u);
+  EXPECT_EQ(current, 3u);
+  EXPECT_TRUE(other.position == state.position);
+  EXPECT_TRUE(other.velocity == state.velocity);
+  EXPECT_EQ(other.energy.internal, state.energy.internal);
+  ASSERT_EQ(other.memory.size(), state.memory.size());
+  EXPECT_TRUE(other.memory[0].values == state.memory[0].values);
+}
+
+}  // namespace
+}  // namespace cleave::solver::test
