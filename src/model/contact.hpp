@@ -35,9 +35,9 @@ struct Contact {
   bool automatic = false;  ///< faces of solids are turned outward by themselves
   bool eroding = false;    ///< new faces appear where elements are deleted
   bool tied = false;
-  bool offset = false;  ///< tied: by springs that keep the distance, not by projection
+  bool offset = false;        ///< tied: by springs that keep the distance, not by projection
   double tie_distance = 0.0;  ///< SAST < 0: farthest distance that is tied; 0: 5 % of a face [length]
-  ContactSide a, b;     ///< b is empty for a single surface
+  ContactSide a, b;           ///< b is empty for a single surface
 
   double static_friction = 0.0, dynamic_friction = 0.0;  ///< FS, FD, times FSF [-]
   double friction_decay = 0.0;                           ///< DC [time/length]

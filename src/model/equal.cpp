@@ -136,11 +136,12 @@ bool same(const ContactSide& a, const ContactSide& b) {
 bool same(const Contact& a, const Contact& b) {
   return a.keyword == b.keyword && a.id == b.id && a.named == b.named && a.title == b.title &&
          a.search == b.search && a.automatic == b.automatic && a.eroding == b.eroding && a.tied == b.tied &&
-         a.offset == b.offset && a.tie_distance == b.tie_distance && same(a.a, b.a) && same(a.b, b.b) && a.static_friction == b.static_friction &&
-         a.dynamic_friction == b.dynamic_friction && a.friction_decay == b.friction_decay &&
-         a.viscous_limit == b.viscous_limit && a.damping == b.damping && a.birth == b.birth &&
-         a.death == b.death && a.scale_a == b.scale_a && a.scale_b == b.scale_b && a.soft == b.soft &&
-         a.soft_scale == b.soft_scale && a.extension == b.extension && a.ignore == b.ignore;
+         a.offset == b.offset && a.tie_distance == b.tie_distance && same(a.a, b.a) && same(a.b, b.b) &&
+         a.static_friction == b.static_friction && a.dynamic_friction == b.dynamic_friction &&
+         a.friction_decay == b.friction_decay && a.viscous_limit == b.viscous_limit &&
+         a.damping == b.damping && a.birth == b.birth && a.death == b.death && a.scale_a == b.scale_a &&
+         a.scale_b == b.scale_b && a.soft == b.soft && a.soft_scale == b.soft_scale &&
+         a.extension == b.extension && a.ignore == b.ignore;
 }
 bool same(const ContactControl& a, const ContactControl& b) {
   return a.stiffness == b.stiffness && a.penalty == b.penalty && a.orient == b.orient && a.ignore == b.ignore;

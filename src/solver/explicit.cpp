@@ -121,7 +121,8 @@ class Explicit final : public Solver {
     for (std::size_t c = 0; c < constraints_.size(); ++c)
       constraints_[c]->report(state.memory[constraint_memory_[c]].values, reactions_);
     for (std::size_t i = 0; i < interactions_.size(); ++i)
-      interfaces_[interactions_[i]->contact()] = interactions_[i]->report(state.memory[interaction_memory_[i]].values);
+      interfaces_[interactions_[i]->contact()] =
+          interactions_[i]->report(state.memory[interaction_memory_[i]].values);
     return {};
   }
 
