@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "base/threads.hpp"
+#include "solver/contact/candidates.hpp"
 #include "solver/contact/closest.hpp"
 #include "solver/contact/finders.hpp"
-#include "solver/contact/reach.hpp"
 
 namespace cleave::solver {
 namespace {
@@ -34,24 +33,22 @@ class NodeFinder final : public Finder {
   void start(const discretisation::State& state) override {
     of_nodes_->start(state);
     faces_->start(state);
-    reach_.forget();
+    near_.forget();
   }
   void erode(std::span<const model::Id> eroded) override {
     const bool nodes = of_nodes_->erode(eroded);
     const bool faces = faces_ != of_nodes_ && faces_->erode(eroded);
-    if (nodes || faces) reach_.forget();
+    if (nodes || faces) near_.forget();
   }
   const Face& face(std::int32_t number) const override {
     return faces_->faces()[static_cast<std::size_t>(number)];
   }
 
   void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
-    if (!reach_.holds(now)) sort(now);
-    std::vector<std::vector<Touch>> found((who_.size() + grain - 1) / grain);
-    base::for_each_range(who_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) look(now, past, i, found[begin / grain]);
+    if (!near_.holds(now)) sort(now);
+    near_.touches(grain, out, [&](Index node, std::span<const std::int32_t> faces, std::vector<Touch>& to) {
+      look(now, past, node, faces, to);
     });
-    for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
   }
 
  private:
@@ -59,57 +56,14 @@ class NodeFinder final : public Finder {
 
   /// Lists the faces each node may meet while the boxes hold.
   void sort(const Moment& now) {
-    const std::span<const Index> slaves = this->slaves();
     const auto& active = faces_->active();
-    std::vector<Index> all(slaves.begin(), slaves.end());
-    all.insert(all.end(), faces_->nodes().begin(), faces_->nodes().end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
     double size = 0.0;
     for (const std::int32_t f : active) size += std::sqrt(face(f).area);
     size /= std::max<double>(1.0, static_cast<double>(active.size()));
-    reach_.renew(now, all, 0.1 * size, 0.5 * size);
-
-    std::vector<Bounds> boxes(active.size());
-    base::for_each_range(active.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Face& one = face(active[i]);
-        boxes[i] = reach_.box_of(one.node);
-        boxes[i].grow(keep_depth * one.thickness);
-      }
-    });
-    tree_.build(boxes);
-
-    struct Part {
-      std::vector<Index> who;
-      std::vector<std::int32_t> first, list;
-    };
-    std::vector<Part> parts((slaves.size() + 1023) / 1024);
-    base::for_each_range(slaves.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      Part& part = parts[begin / 1024];
-      for (std::size_t i = begin; i < end; ++i) {
-        const Index node = slaves[i];
-        const std::size_t before = part.list.size();
-        tree_.query(reach_.box(node), [&](std::int32_t item) {
-          const std::int32_t f = active[static_cast<std::size_t>(item)];
-          if (!single_ || !own(node, face(f))) part.list.push_back(f);
-        });
-        if (part.list.size() == before) continue;
-        std::sort(part.list.begin() + static_cast<std::ptrdiff_t>(before), part.list.end());
-        part.who.push_back(node);
-        part.first.push_back(static_cast<std::int32_t>(before));
-      }
-    });
-    who_.clear();
-    first_.clear();
-    list_.clear();
-    for (const Part& part : parts) {
-      const auto shift = static_cast<std::int32_t>(list_.size());
-      who_.insert(who_.end(), part.who.begin(), part.who.end());
-      for (const std::int32_t f : part.first) first_.push_back(f + shift);
-      list_.insert(list_.end(), part.list.begin(), part.list.end());
-    }
-    first_.push_back(static_cast<std::int32_t>(list_.size()));
+    near_.place(now, united(slaves(), faces_->nodes()), 0.1 * size, 0.5 * size, *faces_, keep_depth);
+    near_.list(
+        slaves(), *faces_, 1024, [&](Index node) { return near_.reach().box(node); },
+        [&](Index node, std::int32_t f) { return !single_ || !own(node, face(f)); });
   }
 
   /// Does the node belong to the face, or to the solid behind it?
@@ -142,9 +96,10 @@ class NodeFinder final : public Finder {
     return false;
   }
 
-  void look(const Moment& now, const Past& past, std::size_t i, std::vector<Touch>& out) const {
-    if (!(now.mass[static_cast<std::size_t>(who_[i])] > 0.0)) return;
-    Slave slave{who_[i], vector_at(now.position, who_[i]), {}, 0, 1e300};
+  void look(const Moment& now, const Past& past, Index node, std::span<const std::int32_t> near,
+            std::vector<Touch>& out) const {
+    if (!(now.mass[static_cast<std::size_t>(node)] > 0.0)) return;
+    Slave slave{node, vector_at(now.position, node), {}, 0, 1e300};
     for (const std::int32_t f : of_nodes_->faces_at(slave.node)) {
       const Face& around = of_nodes_->faces()[static_cast<std::size_t>(f)];
       slave.stiffness = std::min(slave.stiffness, around.stiffness);
@@ -153,8 +108,7 @@ class NodeFinder final : public Finder {
     double least = 1e300;
     std::int32_t best = -1;
     Closest place{};
-    for (std::int32_t k = first_[i]; k < first_[i + 1]; ++k) {
-      const std::int32_t f = list_[static_cast<std::size_t>(k)];
+    for (const std::int32_t f : near) {
       const Face& target = face(f);
       if (!faces(slave, unit(area_normal(target, now.position)))) continue;
       Vector corner[4];
@@ -294,10 +248,7 @@ class NodeFinder final : public Finder {
   bool reverse_, single_;
   double node_factor_, face_factor_;
   int rule_;
-  Reach reach_;
-  Tree tree_;
-  std::vector<Index> who_;  // nodes near any face
-  std::vector<std::int32_t> first_, list_;
+  Candidates near_;
 };
 
 }  // namespace

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "base/threads.hpp"
+#include "solver/contact/candidates.hpp"
 #include "solver/contact/finders.hpp"
 #include "solver/contact/overlap.hpp"
-#include "solver/contact/reach.hpp"
 
 namespace cleave::solver {
 namespace {
@@ -36,25 +35,22 @@ class SegmentFinder final : public Finder {
   void start(const discretisation::State& state) override {
     a_->start(state);
     if (!single_) b_->start(state);
-    reach_.forget();
+    near_.forget();
   }
   void erode(std::span<const model::Id> eroded) override {
     const bool first = a_->erode(eroded), second = !single_ && b_->erode(eroded);
-    if (first || second) reach_.forget();
+    if (first || second) near_.forget();
   }
   const Face& face(std::int32_t number) const override {
     return b_->faces()[static_cast<std::size_t>(number)];
   }
 
   void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
-    if (!reach_.holds(now)) sort(now);
-    std::vector<std::vector<Touch>> found((who_.size() + grain - 1) / grain);
-    base::for_each_range(who_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        for (std::int32_t k = first_[i]; k < first_[i + 1]; ++k)
-          look(now, past, who_[i], list_[static_cast<std::size_t>(k)], found[begin / grain]);
-    });
-    for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
+    if (!near_.holds(now)) sort(now);
+    near_.touches(grain, out,
+                  [&](std::int32_t f, std::span<const std::int32_t> faces, std::vector<Touch>& to) {
+                    for (const std::int32_t g : faces) look(now, past, f, g, to);
+                  });
   }
 
  private:
@@ -69,57 +65,15 @@ class SegmentFinder final : public Finder {
 
   void sort(const Moment& now) {
     const auto &as = a_->active(), &bs = b_->active();
-    std::vector<Index> all(a_->nodes());
-    all.insert(all.end(), b_->nodes().begin(), b_->nodes().end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
     double size = 0.0;
     for (const std::int32_t f : as) size += std::sqrt(face_a(f).area);
     for (const std::int32_t f : bs) size += std::sqrt(face(f).area);
     size /= std::max<double>(1.0, static_cast<double>(as.size() + bs.size()));
-    reach_.renew(now, all, 0.05 * size, 0.4 * size);
-
-    std::vector<Bounds> boxes(bs.size());
-    base::for_each_range(bs.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Face& one = face(bs[i]);
-        boxes[i] = reach_.box_of(one.node);
-        boxes[i].grow(0.5 * keep_depth * one.thickness);
-      }
-    });
-    tree_.build(boxes);
-    struct Part {
-      std::vector<std::int32_t> who, first, list;
-    };
-    std::vector<Part> parts((as.size() + 255) / 256);
-    base::for_each_range(as.size(), 256, [&](std::size_t begin, std::size_t end) {
-      Part& part = parts[begin / 256];
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::int32_t f = as[i];
-        Bounds box = reach_.box_of(face_a(f).node);
-        box.grow(0.5 * keep_depth * face_a(f).thickness);
-        const std::size_t before = part.list.size();
-        tree_.query(box, [&](std::int32_t item) {
-          const std::int32_t g = bs[static_cast<std::size_t>(item)];
-          if (single_ && (g <= f || joined(face_a(f), face(g)))) return;
-          part.list.push_back(g);
-        });
-        if (part.list.size() == before) continue;
-        std::sort(part.list.begin() + static_cast<std::ptrdiff_t>(before), part.list.end());
-        part.who.push_back(f);
-        part.first.push_back(static_cast<std::int32_t>(before));
-      }
-    });
-    who_.clear();
-    first_.clear();
-    list_.clear();
-    for (const Part& part : parts) {
-      const auto shift = static_cast<std::int32_t>(list_.size());
-      who_.insert(who_.end(), part.who.begin(), part.who.end());
-      for (const std::int32_t f : part.first) first_.push_back(f + shift);
-      list_.insert(list_.end(), part.list.begin(), part.list.end());
-    }
-    first_.push_back(static_cast<std::int32_t>(list_.size()));
+    constexpr double half = 0.5 * keep_depth;  // each of two faces brings its own
+    near_.place(now, united(a_->nodes(), b_->nodes()), 0.05 * size, 0.4 * size, *b_, half);
+    near_.list(
+        as, *b_, 256, [&](std::int32_t f) { return near_.box(face_a(f), half); },
+        [&](std::int32_t f, std::int32_t g) { return !single_ || (g > f && !joined(face_a(f), face(g))); });
   }
 
   void look(const Moment& now, const Past& past, std::int32_t f, std::int32_t g,
@@ -165,9 +119,7 @@ class SegmentFinder final : public Finder {
   bool single_;
   double factor_a_, factor_b_;
   int rule_;
-  Reach reach_;
-  Tree tree_;
-  std::vector<std::int32_t> who_, first_, list_;  // faces of a near any of b; CSR
+  Candidates near_;
 };
 
 }  // namespace
