@@ -62,6 +62,15 @@ class HistoryWriter final : public Writer {
 /// "{BEGIN LEGEND}" with ids and titles, as readers of these files expect; nothing when `entries` is empty.
 void append_legend(std::string& ascii, std::span<const std::pair<model::Id, std::string>> entries);
 
+/// The same of things that have an id and a title: those with a title.
+template <class Titled>
+void append_titles(std::string& ascii, const std::vector<Titled>& things) {
+  std::vector<std::pair<model::Id, std::string>> entries;
+  for (const Titled& one : things)
+    if (!one.title.empty()) entries.emplace_back(one.id, one.title);
+  append_legend(ascii, entries);
+}
+
 /// A writer for the history if its interval is active, else null.
 template <class Kind>
 std::unique_ptr<Writer> history_writer(const Context& context, const model::Interval& interval) {

@@ -91,6 +91,18 @@ class Case(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.002)
 
+    def stop_by_signal(self, number, run, after_rows, *words):
+        """Starts a run and ends it by a signal once its glstat has so many rows. Returns its summary."""
+        process = self.start("run", *words, "-o", run, "-q")
+        self.wait_for_rows(process, run / "glstat.csv", after_rows)
+        process.send_signal(number)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 128 + number)
+        self.assert_whole(run)
+        summary = self.summary(run)
+        self.assertEqual(summary["ending"], "signal")
+        return summary
+
     def assert_whole(self, run, unfinished_allowed=False):
         """Every file of a run directory is complete: nothing a user opens is half written."""
         for path in run.rglob("*"):

@@ -24,14 +24,7 @@ class Stopped(Case):
         for number, name in ((signal.SIGINT, "SIGINT"), (signal.SIGTERM, "SIGTERM")):
             with self.subTest(name):
                 run = self.folder / name
-                process = self.start("run", self.deck, "-o", run, "-q", "-j", 2)
-                self.wait_for_rows(process, run / "glstat.csv", 7)
-                process.send_signal(number)
-                process.communicate(timeout=60)
-                self.assertEqual(process.returncode, 128 + number)
-                self.assert_whole(run)
-                summary = self.summary(run)
-                self.assertEqual(summary["ending"], "signal")
+                summary = self.stop_by_signal(number, run, 7, self.deck, "-j", 2)
                 self.assertTrue(summary["normal"])
                 self.assertLess(summary["final_time"], 2.5e-5)
                 self.assertIn("a signal asked it to stop", (run / "messag").read_text())

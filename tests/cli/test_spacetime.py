@@ -66,14 +66,7 @@ class Spacetime(Case):
         for number, threads in ((signal.SIGTERM, 7), (signal.SIGINT, 1)):
             with self.subTest(number):
                 run = self.folder / f"signal{number}"
-                process = self.start("run", deck, "-o", run, "-q", "-j", 3)
-                self.wait_for_rows(process, run / "glstat.csv", 9)
-                process.send_signal(number)
-                process.communicate(timeout=60)
-                self.assertEqual(process.returncode, 128 + number)
-                self.assert_whole(run)
-                summary = self.summary(run)
-                self.assertEqual(summary["ending"], "signal")
+                summary = self.stop_by_signal(number, run, 9, deck, "-j", 3)
                 self.assertLess(summary["final_time"], 1.2)
                 self.cleave("restart", run, "-q", "-j", threads)
                 self.assertEqual(self.summary(run)["ending"], "end_time")

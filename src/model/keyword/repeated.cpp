@@ -30,4 +30,20 @@ void report_repeated(Draft& draft, std::string_view keyword, IdKind kind, std::s
     draft.diagnostics.error(last, std::string(keyword), std::string(field), rest + " numbers given twice");
 }
 
+void finish_elements(Draft& draft, std::vector<Elements>& groups, std::string_view keyword) {
+  std::sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.shape < b.shape; });
+  // One group in ascending order, the usual case, needs no sorting.
+  if (groups.size() == 1 && std::adjacent_find(groups[0].id.begin(), groups[0].id.end(),
+                                               std::greater_equal<>()) == groups[0].id.end())
+    return;
+  std::vector<Id> all, repeated;
+  for (const Elements& group : groups) all.insert(all.end(), group.id.begin(), group.id.end());
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i] == all[i - 1] && (repeated.empty() || repeated.back() != all[i])) repeated.push_back(all[i]);
+  if (!repeated.empty())
+    report_repeated(draft, keyword, IdKind::element, "EID", repeated,
+                    [](Id id) { return "element " + std::to_string(id) + " is given a second time"; });
+}
+
 }  // namespace cleave::model

@@ -129,20 +129,9 @@ std::size_t take_elements(Draft& draft, const deck::Block& block) {
 
 }  // namespace
 
-/// Finds numbers given twice and orders the groups by shape.
 void finish_shells(Draft& draft) {
-  for (auto* groups : {&draft.model.mesh.shells, &draft.model.mesh.beams}) {
-    std::sort(groups->begin(), groups->end(), [](const auto& a, const auto& b) { return a.shape < b.shape; });
-    std::vector<Id> all, repeated;
-    for (const Elements& group : *groups) all.insert(all.end(), group.id.begin(), group.id.end());
-    std::sort(all.begin(), all.end());
-    for (std::size_t i = 1; i < all.size(); ++i)
-      if (all[i] == all[i - 1] && (repeated.empty() || repeated.back() != all[i])) repeated.push_back(all[i]);
-    if (!repeated.empty())
-      report_repeated(draft, groups == &draft.model.mesh.beams ? "ELEMENT_BEAM" : "ELEMENT_SHELL",
-                      IdKind::element, "EID", repeated,
-                      [](Id id) { return "element " + std::to_string(id) + " is given a second time"; });
-  }
+  finish_elements(draft, draft.model.mesh.shells, "ELEMENT_SHELL");
+  finish_elements(draft, draft.model.mesh.beams, "ELEMENT_BEAM");
 }
 
 namespace {

@@ -120,22 +120,8 @@ std::size_t take_solids(Draft& draft, const deck::Block& block) {
 
 }  // namespace
 
-/// Finds element numbers given twice and orders the groups by shape.
 void finish_solids(Draft& draft) {
-  auto& solids = draft.model.mesh.solids;
-  std::sort(solids.begin(), solids.end(), [](const auto& a, const auto& b) { return a.shape < b.shape; });
-  // One group in ascending order, the usual case, needs no sorting.
-  if (solids.size() == 1 && std::adjacent_find(solids[0].id.begin(), solids[0].id.end(),
-                                               std::greater_equal<>()) == solids[0].id.end())
-    return;
-  std::vector<Id> all, repeated;
-  for (const Elements& group : solids) all.insert(all.end(), group.id.begin(), group.id.end());
-  std::sort(all.begin(), all.end());
-  for (std::size_t i = 1; i < all.size(); ++i)
-    if (all[i] == all[i - 1] && (repeated.empty() || repeated.back() != all[i])) repeated.push_back(all[i]);
-  if (!repeated.empty())
-    report_repeated(draft, "ELEMENT_SOLID", IdKind::element, "EID", repeated,
-                    [](Id id) { return "element " + std::to_string(id) + " is given a second time"; });
+  finish_elements(draft, draft.model.mesh.solids, "ELEMENT_SOLID");
 }
 
 namespace {

@@ -14,12 +14,7 @@ class Rcforc final : public History {
   std::vector<std::string> columns() const override {
     return {"x_force", "y_force", "z_force", "area", "touches", "penetration"};
   }
-  void legend(std::string& ascii) const override {
-    std::vector<std::pair<model::Id, std::string>> entries;
-    for (const model::Contact& contact : model_.contacts)
-      if (!contact.title.empty()) entries.emplace_back(contact.id, contact.title);
-    append_legend(ascii, entries);
-  }
+  void legend(std::string& ascii) const override { append_titles(ascii, model_.contacts); }
 
   /// The text has a line for each side; a row of the twin holds the force on side A.
   void write(const Snapshot& now, std::string& ascii, Rows& rows) override {

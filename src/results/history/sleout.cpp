@@ -14,12 +14,7 @@ class Sleout final : public History {
   std::vector<std::string> columns() const override {
     return {"total_energy", "normal_energy", "friction_energy", "damping_energy"};
   }
-  void legend(std::string& ascii) const override {
-    std::vector<std::pair<model::Id, std::string>> entries;
-    for (const model::Contact& contact : model_.contacts)
-      if (!contact.title.empty()) entries.emplace_back(contact.id, contact.title);
-    append_legend(ascii, entries);
-  }
+  void legend(std::string& ascii) const override { append_titles(ascii, model_.contacts); }
 
   void write(const Snapshot& now, std::string& ascii, Rows& rows) override {
     double sum = 0.0;

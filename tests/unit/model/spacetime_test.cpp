@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "deck_text.hpp"
 #include "model/elasticity.hpp"
-#include "model/equal.hpp"
+#include "round_trip.hpp"
 
 namespace cleave::model {
 namespace {
@@ -26,16 +25,6 @@ const int after_plate = 25;
 Built plate_with(const std::string& from, const std::string& to) {
   std::string text = plate;
   return build_text(text.replace(text.find(from), from.size(), to));
-}
-
-void expect_round_trip(const std::string& text) {
-  const Built first = build_text(text);
-  ASSERT_FALSE(first.failed()) << first.text();
-  const std::string written = write(first.model);
-  const Built second = build_text(written);
-  ASSERT_FALSE(second.failed()) << second.text() << written;
-  EXPECT_EQ(first_difference(first.model, second.model), "") << written;
-  EXPECT_EQ(write(second.model), written);
 }
 
 TEST(SpacetimeDeck, ShellsOfBothShapes) {
