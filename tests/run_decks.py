@@ -11,6 +11,7 @@ Comments at the head of a deck state the case (docs/verification-decks.md has th
   $@ expect  summary energy.ratio  1.0  abs=0.01 (model: published ratios lie within 1 %)
   $@ order   displacement_z node=5 exact=0.1 in=1.8..2.2 with=bar_8.k,bar_16.k (order)
   $@ expect-fail "PR must be below 0.5"
+  $@ analyse wave_fronts.py
   $@ vary    threads=1,2,3,7 restart=no,57
   $@ options --allow-unsupported
   $@ slow
@@ -32,7 +33,8 @@ HISTORY = {"element": "elout", "node": "nodout", "part": "matsum", "wall": "rwfo
            "contact": "rcforc"}
 REDUCTIONS = {"max": max, "min": min, "range": lambda v: max(v) - min(v), "peak": lambda v: max(map(abs, v))}
 TOLERANCES = ("exact", "roundoff", "order", "model")
-DIRECTIVES = ("case", "source", "expect", "expect-fail", "order", "vary", "options", "slow")
+DIRECTIVES = ("case", "source", "expect", "expect-fail", "order", "analyse", "vary", "options", "slow")
+ANALYSES = Path(__file__).resolve().parent / "analysis"
 # What can be varied, with the option of `cleave run` that does it; the value "no" leaves the option out.
 # `lanes` takes another program: that of the build with this preset, beside the build of the one given.
 VARIABLE = {"threads": "--threads", "restart": "--stop-at-cycle", "lanes": None}
@@ -148,7 +150,7 @@ class Case:
     def __init__(self, deck):
         self.deck = deck
         self.text, self.expects, self.orders, self.failures = "", [], [], []
-        self.variations, self.options = [{}], []
+        self.variations, self.options, self.analyses = [{}], [], []
         with deck.open(encoding="latin-1") as stream:
             for line_number, line in enumerate(stream, 1):
                 if line.startswith("$@"):
@@ -168,6 +170,8 @@ class Case:
             self.text = rest
         elif word == "expect-fail":
             self.failures += shlex.split(rest)
+        elif word == "analyse":
+            self.analyses.append(shlex.split(rest))
         elif word == "options":
             self.options += shlex.split(rest)
         elif word == "vary":
@@ -277,6 +281,17 @@ def must_run(program, deck, directory, variation, options):
         raise Wrong(f"the run ended with status {status}:\n{said[-4000:]}")
 
 
+def analyse(run, deck, words):
+    """Lets a script of tests/analysis measure a run; it leaves further histories in the run directory."""
+    script = ANALYSES / words[0]
+    if not script.is_file():
+        raise Wrong(f"there is no analysis {words[0]} in {ANALYSES}")
+    done = subprocess.run([sys.executable, script, run, deck, *words[1:]], capture_output=True, text=True, timeout=LIMIT_S)
+    if done.returncode != 0:
+        raise Wrong(f"{words[0]} ended with status {done.returncode}:\n{(done.stdout + done.stderr)[-4000:]}")
+    print(done.stdout, end="")
+
+
 def same_histories(first, second):
     """Every CSV of both runs, byte for byte."""
     names = sorted(p.name for p in first.glob("*.csv"))
@@ -314,6 +329,8 @@ def check(program, deck):
                 results.append((not differing, f"{run.name} has the bits of {runs[0].name} {' '.join(differing)}"))
         if not runs and not case.failures:
             raise Wrong("no variation could run")
+        for words in case.analyses:
+            analyse(runs[0], deck, words)
         for expectation in case.expects:
             results.append(expectation.check(runs[0]))
         finer = {}

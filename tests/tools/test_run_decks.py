@@ -112,6 +112,20 @@ class Decks(unittest.TestCase):
         self.bad("FAIL order of glstat: tip", "order tip exact=1 in=0.9..1.1 with=fine.k,finest.k (order)", **finer)
         self.bad("at least three meshes", "order tip exact=1 in=1.9..2.1 with=fine.k (order)", **finer)
 
+    def test_analysis(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = Path(folder) / "halve.py"
+            script.write_text("import pathlib, sys\nif sys.argv[3] == '0': sys.exit('nothing to divide by')\n"
+                              "(pathlib.Path(sys.argv[1]) / 'halves.csv').write_text(f'time,value\\n0,{1 / float(sys.argv[3])}\\n')\n")
+            known, run_decks.ANALYSES = run_decks.ANALYSES, Path(folder)
+            try:
+                self.good("analyse halve.py 2", "expect value file=halves 0.5 (exact)")
+                self.bad("FAIL halves: value", "analyse halve.py 4", "expect value file=halves 0.5 (exact)")
+                self.bad("nothing to divide by", "analyse halve.py 0", "expect value file=halves 0.5 (exact)")
+                self.bad("there is no analysis thirds.py", "analyse thirds.py 2", "expect value file=halves 0.5 (exact)")
+            finally:
+                run_decks.ANALYSES = known
+
     def test_statement(self):
         self.bad("states no expectation")
         self.bad("case.k:2: end the line with the name", "expect tip 1 rel=1e-3")

@@ -1,7 +1,7 @@
 """Decks of the spacetime wing: waves in one, two and three dimensions, waves at cracks. Used by make.py."""
 import math
 
-from crack import StepLoadedCrack, intensity
+from crack import StepLoadedCrack, intensity, rayleigh
 from deck import Deck
 from mesh import Mesh, hexahedra, tetrahedra
 from simplices import Triangles, edges_on, faces_on, penny_quarter
@@ -79,6 +79,7 @@ def pulse_curve(deck, number, length, points=400):
 # --- a crack under a step wave --------------------------------------------------------------------------------
 
 STEEL = {"young": 211.0e9, "poisson": 0.3, "density": 7800.0}
+STEP_STRESS, PLATE_HEIGHT = 500.0e6, 2.0   # of the half plate
 
 
 def speed_d(young, poisson, density):
@@ -88,7 +89,7 @@ def speed_d(young, poisson, density):
 def crack_plate(name, half_width, coarse, fine, growth, degree, whole):
     """Catalogue I01 and V4: a plate 4 m high with a crack to its middle, a step of tension at its top. Only what can
     tell the crack from a semi-infinite one before 3 t_c is cut away at the sides, which are planes of symmetry."""
-    height, stress = 2.0, 500.0e6
+    height, stress = PLATE_HEIGHT, STEP_STRESS
     c = speed_d(**STEEL)
     arrival = height / c
     grid = (round(2 * half_width / coarse), round(height / coarse))
@@ -108,8 +109,16 @@ def crack_plate(name, half_width, coarse, fine, growth, degree, whole):
         for share in (1.5, 2.0, 2.5, 2.95):
             t = (share - 1) * arrival
             u = velocity * t * exact.displacement(c * t / r)
-            deck.says("expect", f"y_displacement node={node} time={share * arrival:.10g}  {u:.6g}  rel=0.01 "
-                      f"(order: {r:g} m from the tip, K would be {intensity(0.3, stress, c * t):.4g})")
+            what = f"opening node={node} file=crack" if whole else f"y_displacement node={node}"
+            deck.says("expect", f"{what} time={share * arrival:.10g}  {(2 if whole else 1) * u:.6g}  rel=0.01 "
+                      f"(order: {r:g} m from the tip)")
+    near_tip = (3 * fine, 8 * fine)
+    if not whole:
+        deck.says("analyse", f"crack_intensity.py {near_tip[0]:g} {near_tip[1]:g}")
+        for share in (1.2, 1.3, 1.5, 2.0, 2.5, 3.0):
+            deck.says("expect", f"K file=intensity time={share * arrival:.10g}  "
+                      f"{intensity(0.3, stress, c * (share - 1) * arrival):.6g}  rel=0.03 (order: Freund's, {share:g} arrivals)")
+        places += [k for k in mesh.where(lambda x, y, z: y == 0.0 and near_tip[0] <= -x <= near_tip[1] + 1e-9) if k not in places]
     common(deck, 3 * arrival, degree=degree, interval=arrival / 40, nodes=places, frames=12)
     deck.card("SECTION_SHELL_SDG", [1])
     deck.part(1, 1, 1)
@@ -127,8 +136,8 @@ def crack_plate(name, half_width, coarse, fine, growth, degree, whole):
     return deck
 
 
-EXAMPLES["crack_step"] = lambda: crack_plate("crack_step", 2.25, 0.25, 0.03125, 0.35, 3, whole=False)
-LARGE["crack_step_fine"] = lambda: crack_plate("crack_step_fine", 2.25, 0.125, 0.015625, 0.25, 3, whole=False)
+EXAMPLES["crack_step"] = lambda: crack_plate("crack_step", 2.25, 0.25, 0.015625, 0.5, 3, whole=False)
+LARGE["crack_step_fine"] = lambda: crack_plate("crack_step_fine", 2.25, 0.125, 0.0078125, 0.25, 3, whole=False)
 LARGE["crack_step_whole"] = lambda: crack_plate("crack_step_whole", 5.0, 0.25, 0.03125, 0.35, 3, whole=True)
 
 
@@ -258,11 +267,18 @@ def spacetime_block():
 
 # --- a crack inside a plate, and a penny-shaped one ----------------------------------------------------------------
 
+FRONTS = {"incident": "the wave arrives at the crack", "P": "circle around a tip", "S": "circle around a tip",
+          "Rayleigh": "along the faces"}
+
+
 def scattering(name, coarse, fine, degree, end, case=True):
     """V3: both ends of a plate two crack lengths wide are pulled suddenly; the waves meet at the crack."""
     nu = 0.3
     exact = StepLoadedCrack(nu)
-    size = lambda x, y: max(fine, min(coarse, 0.35 * math.hypot(abs(x) - 0.5, y)))
+    on_face = coarse / 2   # distance from a face, and from the tips
+    def size(x, y):
+        tip = math.hypot(abs(x) - 0.5, y)
+        return max(fine, min(coarse, 0.35 * tip, on_face + 0.35 * (abs(y) if abs(x) < 0.5 else tip)))
     mesh = Triangles((-1.0, -1.0), (1.0, 1.0), (round(2 / coarse),) * 2, size).mesh()
     deck = Deck(name, "Waves at the tips of a crack")
     places = [node_at(mesh, x, 0.0) for x in (0.0, 0.25, 0.375)]
@@ -276,7 +292,13 @@ def scattering(name, coarse, fine, degree, end, case=True):
                 far = t < 0.5 - x
                 deck.says("expect", f"opening node={node} file=crack time={1 + t:g}  {2 * u:.6g}  "
                           f"rel={0.02 if t < 0.2 else 0.005 if far else 0.01} (order{': before the tips are felt' if far else ''})")
-    common(deck, end, degree=degree, interval=0.01, nodes=places, frames=20)
+    # Where tests/analysis/wave_fronts.py looks for the Rayleigh wave and the circles that leave the right tip.
+    ahead = [node_at(mesh, 0.125, 0.0)] + [node_at(mesh, 0.5 + a, b) for a, b in ((0.125, 0.125), (0.1875, 0.1875), (0.25, 0.25), (0.25, 0.125), (0.125, 0.25))]
+    if case:
+        deck.says("analyse", "wave_fronts.py")
+        for front, exact_speed in (("incident", 1.0), ("P", 1.0), ("S", 1 / exact.b), ("Rayleigh", rayleigh(nu) / exact.b)):
+            deck.says("expect", f"speed file=fronts front={front}  {exact_speed:.6g}  rel=0.01 (order: {FRONTS[front]})")
+    common(deck, end, degree=degree, interval=0.01, nodes=places + ahead, frames=20)
     deck.card("SECTION_SHELL_SDG", [1])
     deck.part(1, 1, 1)
     deck.card("MAT_ELASTIC", [1, 1.0, plane_strain_modulus(nu, 1.0, 1.0), nu])
@@ -291,23 +313,29 @@ def scattering(name, coarse, fine, degree, end, case=True):
 EXAMPLES["wave_scattering"] = lambda: scattering("wave_scattering", 0.125, 0.03125, 3, 2.0)
 
 
-def penny(name, rings, outer, width, layers, height, degree, end):
+def penny(name, rings, outer, width, heights, degree, end, whole):
     """V14: the faces of a penny-shaped crack are pushed apart suddenly (which is what scatters from a step wave of
-    tension); a quarter of the body, silent outside."""
-    nu, speed = 0.25, 1.0
-    step = height / layers
-    heights = [step * k for k in range(-layers, layers + 1)]
-    mesh = penny_quarter(1.0, rings, outer, width, heights)
+    tension); a quarter of the body, silent outside, or of its upper half. Layers are thin where the wave starts."""
+    nu, speed, height = 0.25, 1.0, heights[-1]
+    mesh = penny_quarter(1.0, rings, outer, width, [-h for h in reversed(heights)] * whole + [0.0] + list(heights))
     deck = Deck(name, "Penny-shaped crack under a step wave")
-    at = lambda r: node_at(mesh, r, 0.0, 0.0)
-    nodes = [at(k / rings) for k in range(rings)] + [node_at(mesh, 0.0, k / rings, 0.0) for k in range(1, rings)]
-    deck.says("case", "faces of a penny-shaped crack before the waves of its front arrive, and after")
+    side = -1 if whole else 1
+    at = lambda r, angle=0.0: node_at(mesh, r * math.cos(math.radians(angle)), r * math.sin(math.radians(angle)), 0.0)
+    radii = [k / rings for k in range(rings)]
+    nodes = [at(r) for r in radii] + [at(r, angle) for r in radii[1:] for angle in (45.0, 90.0)] + [at(0.5, 22.5)]
+    deck.says("case", "faces of a penny-shaped crack before the waves of its rim arrive, and after; the same all round")
     deck.says("source", "opening 2 s t/(rho c_d) until t = (a - r)/c_d; specification V14")
-    for r, times in ((0.0, (0.3, 0.6, 0.9)), (0.5, (0.2, 0.4))):
+    face = "the lower face, which comes first in the mesh" if whole else "the upper face"
+    for r, times in ((0.0, (0.2, 0.4, 0.6, 0.9)), (0.25, (0.2, 0.4, 0.7)), (0.5, (0.2, 0.3, 0.45))):
         for t in times:
-            deck.says("expect", f"z_displacement node={at(r)} time={t:g}  {-t / speed:.6g}  rel={0.015 if t < 0.25 else 0.01} "
-                      "(order: of the lower face, which comes first in the mesh)")
-    common(deck, end, degree=degree, interval=end / 90, nodes=nodes, frames=9)
+            deck.says("expect", f"z_displacement node={at(r)} time={t:g}  {side * t / speed:.6g}  "
+                      f"rel={0.004 if r == 0.0 else 0.01} (order: {face})")
+    deck.says("analyse", "axisymmetry.py")
+    for r in (0.25, 0.5, 0.75):
+        for t in (0.3, 0.6, 0.9):
+            deck.says("expect", f"spread file=axisymmetry radius={r:g} time={t:g}  0.0  abs=0.03 (order)")
+    PENNY_MORE.get(name, lambda *_: None)(deck, at, side)
+    common(deck, end, degree=degree, interval=0.01 if end < 1 else 0.05, nodes=nodes, frames=9 if end < 1 else 20)
     deck.card("SECTION_SOLID_SDG", [1])
     deck.part(1, 1, 1)
     deck.card("MAT_ELASTIC", [1, 1.0, plane_strain_modulus(nu, 1.0, speed), nu])
@@ -331,16 +359,21 @@ def penny(name, rings, outer, width, layers, height, degree, end):
     outside = (faces_on(mesh, lambda x, y, z: near(x, width)) + faces_on(mesh, lambda x, y, z: near(y, width))
                + faces_on(mesh, lambda x, y, z: near(abs(z), height)))
     deck.card("BOUNDARY_NON_REFLECTING", [deck.segment_set([list(f) + [f[2]] for f in outside])])
-    rim = [mesh.nodes[k - 1] for k in inside if near(math.hypot(*mesh.nodes[k - 1][:2]), 1.0)]
-    rim.sort(key=lambda p: math.atan2(p[1], p[0]))
-    deck.card("BOUNDARY_PRECRACK", [1, 1, len(rim) + 1], [0.0, 0.0, 0.0], *[list(p) for p in rim], wide=True)
+    if whole:
+        rim = [mesh.nodes[k - 1] for k in inside if near(math.hypot(*mesh.nodes[k - 1][:2]), 1.0)]
+        rim.sort(key=lambda p: math.atan2(p[1], p[0]))
+        deck.card("BOUNDARY_PRECRACK", [1, 1, len(rim) + 1], [0.0, 0.0, 0.0], *[list(p) for p in rim], wide=True)
+    else:
+        rollers(deck, mesh.where(lambda x, y, z: near(z, 0.0) and math.hypot(x, y) > 1.0 - 1e-9), "z")
     write_mesh(deck, mesh)
     return deck
 
 
-EXAMPLES["penny_crack"] = lambda: penny("penny_crack", 4, 2, 1.8, 4, 1.0, 3, 0.9)
+PENNY_MORE = {}
+EXAMPLES["penny_crack"] = lambda: penny("penny_crack", 4, 2, 1.8, (0.06, 0.14, 0.25, 0.42, 0.7), 3, 0.9, whole=True)
 LARGE["wave_scattering_fine"] = lambda: scattering("wave_scattering_fine", 0.0625, 0.015625, 4, 2.0)
-LARGE["penny_crack_fine"] = lambda: penny("penny_crack_fine", 8, 8, 4.0, 16, 4.0, 3, 4.0)
+LARGE["penny_crack_fine"] = lambda: penny("penny_crack_fine", 8, 6, 4.0, (0.05, 0.11, 0.2, 0.33, 0.5, 0.75, 1.1, 1.6, 2.3, 3.2), 3,
+                                          5.0, whole=False)
 
 
 @example
