@@ -125,8 +125,14 @@ bool same(const RigidWall& a, const RigidWall& b) {
   return a.id == b.id && a.title == b.title && same(a.nodes, b.nodes) && same(a.origin, b.origin) &&
          close(a.normal, b.normal) && a.finite == b.finite && close(a.edge_l, b.edge_l) &&
          close(a.edge_m, b.edge_m) && a.length_l == b.length_l && a.length_m == b.length_m &&
-         a.friction == b.friction && a.velocity_limit == b.velocity_limit && a.orthotropic == b.orthotropic &&
-         a.mass == b.mass && a.speed == b.speed && a.birth == b.birth && a.death == b.death &&
+         a.shape == b.shape && a.geometric == b.geometric && a.length_n == b.length_n &&
+         a.radius == b.radius && a.interior == b.interior && a.friction == b.friction &&
+         a.velocity_limit == b.velocity_limit && a.orthotropic == b.orthotropic &&
+         same(a.static_friction, b.static_friction) && same(a.dynamic_friction, b.dynamic_friction) &&
+         same(a.friction_decay, b.friction_decay) && close(a.friction_axis, b.friction_axis) &&
+         same(a.friction_node, b.friction_node) && a.mass == b.mass && a.speed == b.speed &&
+         a.motion == b.motion && a.motion_is_displacement == b.motion_is_displacement &&
+         close(a.motion_direction, b.motion_direction) && a.birth == b.birth && a.death == b.death &&
          a.soft_cycles == b.soft_cycles;
 }
 bool same(const ContactSide& a, const ContactSide& b) {

@@ -78,22 +78,37 @@ struct BodyLoad {
   deck::Place place{};
 };
 
-/// *RIGIDWALL_PLANAR with every option; node penetration is stopped kinematically.
+/// *RIGIDWALL_PLANAR and *RIGIDWALL_GEOMETRIC with every option; node penetration is stopped kinematically.
 struct RigidWall {
+  enum class Shape { plane, prism, cylinder, sphere };
   Id id = 0;
   std::string title;
   std::vector<Index> nodes;  ///< that may not pass
-  Vector origin, normal;     ///< outward unit normal
-  bool finite = false;
-  Vector edge_l{1, 0, 0}, edge_m{0, 1, 0};  ///< unit edges of the finite wall
-  double length_l = 0.0, length_m = 0.0;
-  double friction = 0.0;        ///< FRIC: Coulomb; 1 no sliding; 2 welds and slides; 3 welds, no sliding
+  Shape shape = Shape::plane;
+  bool geometric = false;  ///< a *RIGIDWALL_GEOMETRIC: it may move as a curve tells, it has no mass
+  Vector origin, normal;   ///< outward unit normal; axis of a cylinder, which begins at the origin; a sphere
+                           ///< has its centre there
+  bool finite = false;     ///< of a *RIGIDWALL_PLANAR or _FLAT: only a rectangle
+  Vector edge_l{1, 0, 0}, edge_m{0, 1, 0};  ///< unit edges of the finite wall or prism
+  double length_l = 0.0, length_m = 0.0;    ///< of a geometric wall 0: without end [length]
+  double length_n = 0.0;  ///< of a prism against the normal, of a cylinder along its axis; 0: without end
+  double radius = 0.0;    ///< of a cylinder or sphere [length]
+  bool interior = false;  ///< nodes are inside the cylinder or sphere and may not leave it
+  double friction = 0.0;  ///< FRIC: Coulomb; 1 no sliding; 2 welds and slides; 3 welds, no sliding
   double velocity_limit = 0.0;  ///< WVEL: FRIC 2 and 3 weld nodes that hit faster than this
-  bool orthotropic = false;     ///< _ORTHO is refused at build; kept false
-  double mass = 0.0;            ///< > 0: moving wall
-  double speed = 0.0;           ///< initial, along the normal [length/time]
+  bool orthotropic = false;     ///< _ORTHO: coefficients along two directions, in place of FRIC
+  double static_friction[2] = {0, 0}, dynamic_friction[2] = {0, 0};
+  double friction_decay[2] = {0, 0};    ///< [time/length]
+  Vector friction_axis{1, 0, 0};        ///< unit, the first of the directions up to its normal component
+  Index friction_node[2] = {-1, -1};    ///< the first direction runs between these nodes, if any
+  double mass = 0.0;                    ///< > 0: moving wall
+  double speed = 0.0;                   ///< initial, along the normal [length/time]
+  Index motion = -1;                    ///< curve of a geometric wall's motion since its birth
+  bool motion_is_displacement = false;  ///< else velocity
+  Vector motion_direction{1, 0, 0};     ///< unit
   double birth = 0.0, death = forever;
-  int soft_cycles = 0;  ///< _FORCES SOFT: cycles over which the velocity is zeroed
+  int soft_cycles = 0;                       ///< _FORCES SOFT: cycles over which the velocity is zeroed
+  std::string keyword = "RIGIDWALL_PLANAR";  ///< for messages
   deck::Place place{};
 };
 

@@ -11,7 +11,7 @@ void refuse_unsupported(const model::Model& model, deck::Diagnostics& diagnostic
     refuse(load.place, "LOAD_NODE", "", "a force at a point has no finite displacement in spacetime parts",
            "spread it over faces by *LOAD_SEGMENT");
   for (const auto& wall : model.walls)
-    refuse(wall.place, "RIGIDWALL_PLANAR", "", "rigid walls are not computed for spacetime parts",
+    refuse(wall.place, wall.keyword, "", "rigid walls are not computed for spacetime parts",
            "prescribe the motion of the faces that would touch it");
   for (const auto& contact : model.contacts)
     refuse(contact.place, contact.keyword, "", "contact is not computed for spacetime parts",

@@ -65,8 +65,6 @@ constexpr Rule rules[] = {
     {"ELEMENT_SHELL*", Policy::refused, "solids are computed, and *ELEMENT_SHELL in spacetime"},
     {"ELEMENT_BEAM*", Policy::refused, "solids are computed, and *ELEMENT_BEAM in spacetime"},
     {"ELEMENT_*", Policy::refused, "only *ELEMENT_SOLID and *ELEMENT_MASS are computed"},
-    {"RIGIDWALL_GEOMETRIC_*", Policy::refused, "only *RIGIDWALL_PLANAR is computed"},
-    {"RIGIDWALL_PLANAR_ORTHO*", Policy::refused, "use one friction coefficient with *RIGIDWALL_PLANAR"},
 };
 
 bool matches(std::string_view pattern, std::string_view keyword) {

@@ -106,19 +106,42 @@ class ActionWriter {
   }
 
   void wall(const RigidWall& w) {
+    if (w.geometric) return geometric_wall(w);
     const bool named = w.id != 0 || !w.title.empty();
-    const bool all = w.nodes.size() == model_.mesh.nodes.count();
-    out_.keyword(std::string("RIGIDWALL_PLANAR") + (w.finite ? "_FINITE" : "") +
-                 (w.mass > 0.0 ? "_MOVING" : "") + (w.soft_cycles > 0 ? "_FORCES" : "") +
-                 (named ? "_ID" : ""));
+    out_.keyword(std::string("RIGIDWALL_PLANAR") + (w.orthotropic ? "_ORTHO" : "") +
+                 (w.finite ? "_FINITE" : "") + (w.mass > 0.0 ? "_MOVING" : "") +
+                 (w.soft_cycles > 0 ? "_FORCES" : "") + (named ? "_ID" : ""));
     if (named) out_.id_line(w.id, w.title);
-    const auto* set = all ? nullptr : set_of(model_.node_sets, w.nodes);
     const Vector head = w.origin + w.normal, edge = w.origin + w.edge_l;
-    out_.line({set ? set->id : 0, 0, 0, 0.0, w.birth, w.death});
+    out_.line({wall_nodes(w), 0, 0, 0.0, w.birth, w.death});
     out_.line({w.origin.x, w.origin.y, w.origin.z, head.x, head.y, head.z, w.friction, w.velocity_limit});
+    if (w.orthotropic) {
+      out_.line({w.static_friction[0], w.static_friction[1], w.dynamic_friction[0], w.dynamic_friction[1],
+                 w.friction_decay[0], w.friction_decay[1]});
+      const auto at = [&](int k) { return w.friction_node[k] < 0 ? Id(0) : node(w.friction_node[k]); };
+      out_.line({at(0), at(1), w.friction_axis.x, w.friction_axis.y, w.friction_axis.z});
+    }
     if (w.finite) out_.line({edge.x, edge.y, edge.z, w.length_l, w.length_m});
     if (w.mass > 0.0) out_.line({w.mass, w.speed});
     if (w.soft_cycles > 0) out_.line({w.soft_cycles, 0});
+  }
+
+  void geometric_wall(const RigidWall& w) {
+    using Shape = RigidWall::Shape;
+    const bool named = w.id != 0 || !w.title.empty(), round = w.shape >= Shape::cylinder;
+    static constexpr std::string_view names[] = {"FLAT", "PRISM", "CYLINDER", "SPHERE"};
+    out_.keyword("RIGIDWALL_GEOMETRIC_" + std::string(names[static_cast<int>(w.shape)]) +
+                 (w.interior ? "_INTERIOR" : "") + (w.motion >= 0 ? "_MOTION" : "") + (named ? "_ID" : ""));
+    if (named) out_.id_line(w.id, w.title);
+    const Vector head = w.origin + w.normal, edge = w.origin + w.edge_l;
+    out_.line({wall_nodes(w), 0, 0, w.birth, w.death});
+    out_.line({w.origin.x, w.origin.y, w.origin.z, head.x, head.y, head.z, w.friction});
+    if (w.shape == Shape::plane) out_.line({edge.x, edge.y, edge.z, w.length_l, w.length_m});
+    if (w.shape == Shape::prism) out_.line({edge.x, edge.y, edge.z, w.length_l, w.length_m, w.length_n});
+    if (round) out_.line({w.radius, w.length_n});
+    if (w.motion >= 0)
+      out_.line({curve(w.motion), w.motion_is_displacement ? 1 : 0, w.motion_direction.x,
+                 w.motion_direction.y, w.motion_direction.z});
   }
 
   /// Friction and damping are written as they act, so their scale factors are 1.
@@ -217,6 +240,12 @@ class ActionWriter {
  private:
   Id node(Index i) const { return model_.mesh.nodes.id[i]; }
   Id curve(Index i) const { return curve_id(model_, i); }
+  /// Node set of a wall, 0 for all nodes.
+  Id wall_nodes(const RigidWall& w) const {
+    const auto* set =
+        w.nodes.size() == model_.mesh.nodes.count() ? nullptr : set_of(model_.node_sets, w.nodes);
+    return set ? set->id : 0;
+  }
 
   const Model& model_;
   DeckText& out_;

@@ -7,6 +7,7 @@
 
 #include "base/threads.hpp"
 #include "solver/constraint/kinds.hpp"
+#include "solver/constraint/rigid_wall_friction.hpp"
 
 namespace cleave::solver {
 namespace {
@@ -102,7 +103,6 @@ class PlanarWall final : public Constraint {
   enum Slot : std::size_t { travel, velocity, move, normal_force, force_x, node_state = force_x + 3 };
 
   bool welds() const { return wall_.friction == 2.0 || wall_.friction == 3.0; }
-  bool sticks() const { return wall_.friction == 1.0 || wall_.friction == 3.0; }
   bool remembers_nodes() const { return welds() || wall_.soft_cycles > 1; }
 
   /// Nodes that the wall, at the speed it has, would overtake within the step; in the order of its list.
@@ -175,14 +175,8 @@ class PlanarWall final : public Constraint {
 
     // Along the wall: Coulomb's law between impulses.
     const Vector sliding = free - normal * wall_.normal;
-    double loss = 0.0;
-    const double speed = std::sqrt(base::dot(sliding, sliding));
-    if (sticks())
-      loss = 1.0;
-    else if (!welds() && speed > 0.0)
-      loss = std::min(1.0, wall_.friction * std::max(gain, 0.0) / speed);
-
-    const Vector after = (normal + gain) * wall_.normal + (1.0 - loss) * sliding;
+    const Vector after = (normal + gain) * wall_.normal + sliding +
+                         friction_change(wall_, sliding, std::max(gain, 0.0), wall_.normal, now.position);
     const Vector change = after - free;
     const double mass = now.mass[static_cast<std::size_t>(hit.node)];
     const double force[3] = {mass * change.x / interval, mass * change.y / interval,
@@ -207,6 +201,10 @@ class PlanarWall final : public Constraint {
 void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics) {
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const RigidWall& wall = model.walls[w];
+    if (wall.geometric) {
+      list.push_back(make_geometric_wall(model, w, diagnostics));
+      continue;
+    }
     std::size_t behind = 0;
     double deepest = 0.0;
     for (const Index node : wall.nodes) {
@@ -218,7 +216,7 @@ void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diag
       deepest = std::min(deepest, distance);
     }
     if (behind > 0)
-      diagnostics.warning({}, "RIGIDWALL_PLANAR", "",
+      diagnostics.warning(wall.place, wall.keyword, "",
                           std::to_string(behind) + " nodes lie behind rigid wall " + std::to_string(wall.id) +
                               " at the start, up to " + std::to_string(-deepest) + " deep",
                           "they may leave but not go deeper; check the direction of the wall's normal");

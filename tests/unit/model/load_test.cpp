@@ -99,12 +99,78 @@ TEST(Wall, FiniteMovingWithForces) {
   EXPECT_EQ(w.mass, 7.5);
   EXPECT_EQ(w.speed, -2.0);
   EXPECT_EQ(w.soft_cycles, 5);
-  EXPECT_TRUE(build_text(cube + "*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,0,0,0,1\n\n\n").failed());
   EXPECT_TRUE(build_text(cube + "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0,1.5\n").failed());
   const Built welding = build_text(cube + "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0,3,2.5\n");
   ASSERT_FALSE(welding.failed()) << welding.text();
   EXPECT_EQ(welding.model.walls[0].friction, 3.0);
   EXPECT_EQ(welding.model.walls[0].velocity_limit, 2.5);
+}
+
+TEST(Wall, OrthotropicFriction) {
+  const std::string wall = "*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,0\n0.2,0.4,0.1,0.3,5,6\n";
+  const Built b = build_text(cube + wall + "0,0,0,2,0\n" + wall + "1,2\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  const RigidWall& w = b.model.walls.at(0);
+  EXPECT_TRUE(w.orthotropic);
+  EXPECT_EQ(w.static_friction[1], 0.4);
+  EXPECT_EQ(w.dynamic_friction[0], 0.1);
+  EXPECT_EQ(w.friction_decay[1], 6.0);
+  EXPECT_EQ(w.friction_axis.y, 1.0);
+  EXPECT_EQ(b.model.walls[1].friction_node[1], 1);
+  EXPECT_EQ(b.model.walls[1].friction_axis.x, 1.0);
+  EXPECT_TRUE(
+      build_text(cube + wall + "0,0,0,0,3\n").says(Severity::error, after_cube + 4, "first direction"));
+  EXPECT_TRUE(build_text(cube + wall + "0\n").says(Severity::error, after_cube + 4, "first direction"));
+}
+
+TEST(Wall, GeometricShapesInAnyOrderOfOptions) {
+  const Built b = build_text(cube + curve +
+                             "*RIGIDWALL_GEOMETRIC_FLAT\n0\n0,0,-1,0,0,0,0.5\n2,0,-1,3,0\n"
+                             "*RIGIDWALL_GEOMETRIC_PRISM_MOTION_ID\n         "
+                             "7box\n0,0,0,0.5,2\n0,0,-1,0,0,0\n2,0,-1,3,4,5\n9,1,0,0,1\n"
+                             "*RIGIDWALL_GEOMETRIC_CYLINDER_DISPLAY_MOTION\n0\n0,0,-9,0,0,-8\n2.5,6,1\n0.5,0."
+                             "25\n9,0,0,3,4\n77,1,2,0.3\n"
+                             "*RIGIDWALL_GEOMETRIC_SPHERE_INTERIOR\n0\n0,0,0\n5\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  const auto& w = b.model.walls;
+  ASSERT_EQ(w.size(), 4u);
+  EXPECT_EQ(w[0].shape, RigidWall::Shape::plane);
+  EXPECT_TRUE(w[0].geometric && w[0].finite);
+  EXPECT_EQ(w[0].length_m, 0.0);
+  EXPECT_EQ(w[1].id, 7);
+  EXPECT_EQ(w[1].length_n, 5.0);
+  EXPECT_EQ(w[1].motion, 0);
+  EXPECT_TRUE(w[1].motion_is_displacement);
+  EXPECT_EQ(w[1].motion_direction.z, 1.0);
+  EXPECT_EQ(w[1].birth, 0.5);
+  EXPECT_EQ(w[1].death, 2.0);
+  EXPECT_EQ(w[2].shape, RigidWall::Shape::cylinder);
+  EXPECT_EQ(w[2].radius, 2.5);
+  EXPECT_EQ(w[2].length_n, 6.0);
+  EXPECT_DOUBLE_EQ(w[2].motion_direction.z, 0.8);
+  EXPECT_TRUE(b.says(Severity::warning, after_cube + 19, "has length 5"));
+  EXPECT_EQ(w[3].shape, RigidWall::Shape::sphere);
+  EXPECT_TRUE(w[3].interior);
+  EXPECT_EQ(w[3].motion, -1);
+}
+
+TEST(Wall, GeometricCardsThatMakeNoSense) {
+  const auto says = [](const std::string& deck, int line, const std::string& words) {
+    const Built b = build_text(cube + curve + deck);
+    return b.says(Severity::error, after_cube + 3 + line, words);
+  };
+  const std::string sphere = "*RIGIDWALL_GEOMETRIC_SPHERE", cylinder = "*RIGIDWALL_GEOMETRIC_CYLINDER",
+                    flat = "*RIGIDWALL_GEOMETRIC_FLAT", at = "\n0\n0,0,9,0,0,10\n";
+  EXPECT_TRUE(says(sphere + at + "0\n", 4, "radius above 0"));
+  EXPECT_TRUE(says(cylinder + at + "-1\n", 4, "radius above 0"));
+  EXPECT_TRUE(says(cylinder + at + "1,-2\n", 4, "expected a length"));
+  EXPECT_TRUE(says(cylinder + "\n0\n0,0,9,0,0,9\n1\n", 3, "the axis are the same point"));
+  EXPECT_TRUE(says(flat + at + "0,0,11,1,1\n", 4, "along its normal"));
+  EXPECT_TRUE(says(sphere + "_MOTION" + at + "1\n0,0,1,0,0\n", 5, "no curve"));
+  EXPECT_TRUE(says(sphere + "_MOTION" + at + "1\n8,0,1,0,0\n", 5, "curve 8"));
+  EXPECT_TRUE(says(sphere + "_MOTION" + at + "1\n9,0,0,0,0\n", 5, "has no length"));
+  EXPECT_TRUE(says(sphere + "_MOTION" + at + "1\n9,2,1,0,0\n", 5, "velocity) or 1"));
+  EXPECT_TRUE(says(sphere + "\n0\n0,0,9,0,0,10,2\n1\n", 3, "expected 0 to 1"));
 }
 
 TEST(Velocity, LaterCardsReplaceAndNodesGoLast) {
