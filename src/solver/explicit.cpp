@@ -166,7 +166,9 @@ class Explicit final : public Solver {
     }
     watch_.lap(Phase::loads);
     nodal_.settle(state, a);
+    watch_.lap(Phase::update);
     report_contact(state, now, a);
+    watch_.lap(Phase::contact);
     balance_energies(state, now, output);
     watch_.lap(Phase::update);
     return check_health(world_, state, number(state, gross_work), stable.element, a);

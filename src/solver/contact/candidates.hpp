@@ -2,6 +2,7 @@
 /// Which faces each thing of the other side may meet while the boxes of a Reach hold.
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "base/threads.hpp"
@@ -10,12 +11,11 @@
 
 namespace cleave::solver {
 
-/// Numbers of both lists, ascending, each once.
+/// Numbers of both lists, ascending, each once; both are ascending.
 inline std::vector<Index> united(std::span<const Index> first, std::span<const Index> second) {
-  std::vector<Index> all(first.begin(), first.end());
-  all.insert(all.end(), second.begin(), second.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<Index> all;
+  all.reserve(first.size() + second.size());
+  std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(all));
   return all;
 }
 
@@ -24,18 +24,9 @@ class Candidates {
   bool holds(const Moment& now) const { return reach_.holds(now); }
   void forget() { reach_.forget(); }
 
-  /// Boxes around the nodes, then a tree of boxes around the active faces; see Reach::renew.
-  /// @param depth  by which the box of a face grows, in its thicknesses [-]
-  void place(const Moment& now, std::span<const Index> nodes, double margin, double sweep,
-             const Surface& faces, double depth) {
+  /// Boxes around the nodes; see Reach::renew.
+  void place(const Moment& now, std::span<const Index> nodes, double margin, double sweep) {
     reach_.renew(now, nodes, margin, sweep);
-    const auto& active = faces.active();
-    std::vector<Bounds> boxes(active.size());
-    base::for_each_range(active.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        boxes[i] = box(faces.faces()[static_cast<std::size_t>(active[i])], depth);
-    });
-    tree_.build(boxes);
   }
   const Reach& reach() const { return reach_; }
   Bounds box(const Face& face, double depth) const {
@@ -45,22 +36,39 @@ class Candidates {
   }
 
   /// Lists, for each of the things, the active faces whose boxes meet its own and that it may meet.
+  /// @param depth   by which the box of a face grows, in its thicknesses [-]
   /// @param box_of  (thing) its box
   /// @param may     (thing, face) may these two ever touch?
   template <class BoxOf, class May>
-  void list(std::span<const std::int32_t> things, const Surface& faces, std::size_t grain,
+  void list(std::span<const std::int32_t> things, const Surface& faces, double depth, std::size_t grain,
             const BoxOf& box_of, const May& may) {
-    struct Part {
-      std::vector<std::int32_t> who, first, list;
-    };
+    // Only faces within the box of all things matter, and only things within the box of those faces.
+    thing_boxes_.resize(things.size());
+    const Bounds reached = fill(thing_boxes_, [&](std::size_t i) { return box_of(things[i]); });
     const auto& active = faces.active();
-    std::vector<Part> parts((things.size() + grain - 1) / grain);
+    face_boxes_.resize(active.size());
+    fill(face_boxes_,
+         [&](std::size_t i) { return box(faces.faces()[static_cast<std::size_t>(active[i])], depth); });
+    faces_.clear();
+    Bounds met = Bounds::nothing();
+    for (std::size_t i = 0; i < active.size(); ++i)
+      if (reached.meets(face_boxes_[i])) {
+        met.add(face_boxes_[i]);
+        face_boxes_[faces_.size()] = face_boxes_[i];
+        faces_.push_back(active[i]);
+      }
+    tree_.build(std::span<const Bounds>(face_boxes_).first(faces_.size()));
+
+    const std::size_t count = (things.size() + grain - 1) / grain;
+    if (parts_.size() < count) parts_.resize(count);
     base::for_each_range(things.size(), grain, [&](std::size_t begin, std::size_t end) {
-      Part& part = parts[begin / grain];
+      Part& part = parts_[begin / grain];
+      part.clear();
       for (std::size_t i = begin; i < end; ++i) {
+        if (!met.meets(thing_boxes_[i])) continue;
         const std::size_t before = part.list.size();
-        tree_.query(box_of(things[i]), [&](std::int32_t item) {
-          const std::int32_t f = active[static_cast<std::size_t>(item)];
+        tree_.query(thing_boxes_[i], [&](std::int32_t item) {
+          const std::int32_t f = faces_[static_cast<std::size_t>(item)];
           if (may(things[i], f)) part.list.push_back(f);
         });
         if (part.list.size() == before) continue;
@@ -72,7 +80,8 @@ class Candidates {
     who_.clear();
     first_.clear();
     list_.clear();
-    for (const Part& part : parts) {
+    for (std::size_t p = 0; p < count; ++p) {
+      const Part& part = parts_[p];
       const auto shift = static_cast<std::int32_t>(list_.size());
       who_.insert(who_.end(), part.who.begin(), part.who.end());
       for (const std::int32_t f : part.first) first_.push_back(f + shift);
@@ -84,22 +93,53 @@ class Candidates {
   /// Appends the touches of all listed things in their order, whatever the threads.
   /// @param look  (thing, its faces ascending, std::vector<Touch>& to append to)
   template <class Look>
-  void touches(std::size_t grain, std::vector<Touch>& out, const Look& look) const {
-    std::vector<std::vector<Touch>> found((who_.size() + grain - 1) / grain);
+  void touches(std::size_t grain, std::vector<Touch>& out, const Look& look) {
+    const std::size_t count = (who_.size() + grain - 1) / grain;
+    if (found_.size() < count) found_.resize(count);
     base::for_each_range(who_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<Touch>& found = found_[begin / grain];
+      found.clear();
       for (std::size_t i = begin; i < end; ++i) {
         const auto from = static_cast<std::size_t>(first_[i]), to = static_cast<std::size_t>(first_[i + 1]);
-        look(who_[i], std::span<const std::int32_t>(list_).subspan(from, to - from), found[begin / grain]);
+        look(who_[i], std::span<const std::int32_t>(list_).subspan(from, to - from), found);
       }
     });
-    for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
+    for (std::size_t p = 0; p < count; ++p) out.insert(out.end(), found_[p].begin(), found_[p].end());
   }
 
  private:
+  /// What one range of things lists.
+  struct Part {
+    std::vector<std::int32_t> who, first, list;
+    void clear() {
+      who.clear();
+      first.clear();
+      list.clear();
+    }
+  };
+
+  /// Fills in boxes by their number. @return the box of all
+  template <class Box>
+  static Bounds fill(std::vector<Bounds>& boxes, const Box& box) {
+    constexpr std::size_t grain = 1024;
+    std::vector<Bounds> partial((boxes.size() + grain - 1) / grain, Bounds::nothing());
+    base::for_each_range(boxes.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) partial[begin / grain].add(boxes[i] = box(i));
+    });
+    Bounds all = Bounds::nothing();
+    for (const Bounds& some : partial) all.add(some);
+    return all;
+  }
+
   Reach reach_;
   Tree tree_;
+  std::vector<std::int32_t> faces_;         // in the tree
   std::vector<std::int32_t> who_;           // things near any face
   std::vector<std::int32_t> first_, list_;  // their faces, one list after the other
+  // Scratch, kept so that a cycle allocates nothing.
+  std::vector<Bounds> thing_boxes_, face_boxes_;
+  std::vector<Part> parts_;
+  std::vector<std::vector<Touch>> found_;
 };
 
 }  // namespace cleave::solver

@@ -60,9 +60,9 @@ class NodeFinder final : public Finder {
     double size = 0.0;
     for (const std::int32_t f : active) size += std::sqrt(face(f).area);
     size /= std::max<double>(1.0, static_cast<double>(active.size()));
-    near_.place(now, united(slaves(), faces_->nodes()), 0.1 * size, 0.5 * size, *faces_, keep_depth);
+    near_.place(now, united(slaves(), faces_->nodes()), 0.1 * size, 0.5 * size);
     near_.list(
-        slaves(), *faces_, 1024, [&](Index node) { return near_.reach().box(node); },
+        slaves(), *faces_, keep_depth, 1024, [&](Index node) { return near_.reach().box(node); },
         [&](Index node, std::int32_t f) { return !single_ || !own(node, face(f)); });
   }
 

@@ -109,6 +109,28 @@ Shadow shadow(const Vector x[4], int count, const Vector& origin, const Vector& 
   return out;
 }
 
+/// Do their boxes across the normal miss each other?
+bool beside(const Shadow& a, const Shadow& b) {
+  double low[2][2], high[2][2];
+  const Shadow* both[2] = {&a, &b};
+  for (int s = 0; s < 2; ++s) {
+    const Point* p = both[s]->p;  // triangles repeat the third
+    low[s][0] = std::min(std::min(p[0].x, p[1].x), std::min(p[2].x, p[3].x));
+    low[s][1] = std::min(std::min(p[0].y, p[1].y), std::min(p[2].y, p[3].y));
+    high[s][0] = std::max(std::max(p[0].x, p[1].x), std::max(p[2].x, p[3].x));
+    high[s][1] = std::max(std::max(p[0].y, p[1].y), std::max(p[2].y, p[3].y));
+  }
+  return low[0][0] > high[1][0] || low[1][0] > high[0][0] || low[0][1] > high[1][1] || low[1][1] > high[0][1];
+}
+
+/// Is the linear depth below zero at all corners?
+template <class Depth>
+bool before(const Shadow& face, const Depth& depth) {
+  for (int i = 0; i < face.count; ++i)
+    if (depth(face.p[i]) >= 0.0) return false;
+  return true;
+}
+
 bool same(const Vector& a, const Vector& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
@@ -133,6 +155,11 @@ bool overlap(const Vector a[4], const Vector b[4], Overlap& out, std::vector<Sha
 
   const int count_a = same(a[2], a[3]) ? 3 : 4, count_b = same(b[2], b[3]) ? 3 : 4;
   const Shadow sa = shadow(a, count_a, b[0], e1, e2, n, na), sb = shadow(b, count_b, b[0], e1, e2, n, nb);
+
+  // Most pairs that are near each other lie beside each other, or a is before b everywhere.
+  if (beside(sa, sb)) return false;
+  const auto depth = [&](const Point& c) { return sb.plane(c) - sa.plane(c); };
+  if (!whole && (before(sa, depth) || before(sb, depth))) return false;
 
   // Face a runs clockwise seen along the normal, face b counter-clockwise.
   Polygon shared;
@@ -164,7 +191,7 @@ bool overlap(const Vector a[4], const Vector b[4], Overlap& out, std::vector<Sha
     each_point(shared, [&](const SharedPoint& point) { whole->push_back(point); });
     return !whole->empty();
   }
-  const Polygon deep = cut(shared, [&](const Point& c) { return sb.plane(c) - sa.plane(c); });
+  const Polygon deep = cut(shared, depth);
   if (deep.count < 3) return false;
 
   out.deep_area = out.volume = 0.0;

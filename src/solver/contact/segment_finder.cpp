@@ -70,9 +70,9 @@ class SegmentFinder final : public Finder {
     for (const std::int32_t f : bs) size += std::sqrt(face(f).area);
     size /= std::max<double>(1.0, static_cast<double>(as.size() + bs.size()));
     constexpr double half = 0.5 * keep_depth;  // each of two faces brings its own
-    near_.place(now, united(a_->nodes(), b_->nodes()), 0.05 * size, 0.4 * size, *b_, half);
+    near_.place(now, united(a_->nodes(), b_->nodes()), 0.05 * size, 0.4 * size);
     near_.list(
-        as, *b_, 256, [&](std::int32_t f) { return near_.box(face_a(f), half); },
+        as, *b_, half, 256, [&](std::int32_t f) { return near_.box(face_a(f), half); },
         [&](std::int32_t f, std::int32_t g) { return !single_ || (g > f && !joined(face_a(f), face(g))); });
   }
 

@@ -49,6 +49,7 @@ Surface::Surface(const discretisation::World& world, const model::Contact& conta
     add_listed(contact, side, orient, diagnostics);
   else
     add_outer(inner, side.parts);
+  list_owned();
   alive_.assign(elements_.size(), 1);
   connect();
 }
@@ -89,8 +90,8 @@ void Surface::add_outer(bool inner, std::span<const Index> parts) {
     while (j < sides.size() && sides[j].key == sides[i].key) ++j;
     if (j == i + 1) add_face(sides[i].face, sides[i], -1);
     if (j == i + 2 && inner) {
-      const std::int32_t first = number(sides[i]), second = number(sides[i + 1]);
-      add_face(sides[i].face, sides[i], second);
+      const auto first = static_cast<std::int32_t>(faces_.size());
+      add_face(sides[i].face, sides[i], first + 1);
       add_face(sides[i + 1].face, sides[i + 1], first);
     }
     i = j;
@@ -141,7 +142,7 @@ std::int32_t Surface::number(const Side& side) {
   return at->second;
 }
 
-void Surface::add_face(const Segment& segment, const Side& side, std::int32_t across) {
+void Surface::add_face(const Segment& segment, const Side& side, std::int32_t twin) {
   const model::Model& model = *world_.model;
   const model::Elements& group = model.mesh.solids[static_cast<std::size_t>(side.group)];
   const auto n = static_cast<std::size_t>(model::nodes_of(group.shape));
@@ -151,7 +152,7 @@ void Surface::add_face(const Segment& segment, const Side& side, std::int32_t ac
   face.element = group.id[e];
   face.part = group.part[e];
   face.owner = number(side);
-  face.across = across;
+  face.twin = twin;
   std::array<model::Corner, 10> corner;
   for (std::size_t a = 0; a < n; ++a) corner[a] = vector_at(model.mesh.nodes.position, group.node[n * e + a]);
   const double volume = model::volume(group.shape, {corner.data(), n});
@@ -177,55 +178,131 @@ void Surface::start(const discretisation::State& state) {
   connect();
 }
 
+void Surface::list_owned() {
+  first_owned_.assign(elements_.size() + 1, 0);
+  for (const Face& face : faces_) ++first_owned_[static_cast<std::size_t>(face.owner) + 1];
+  for (std::size_t e = 0; e < elements_.size(); ++e) first_owned_[e + 1] += first_owned_[e];
+  owned_.resize(faces_.size());
+  std::vector<std::int32_t> next(first_owned_.begin(), first_owned_.end() - 1);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    owned_[static_cast<std::size_t>(next[static_cast<std::size_t>(faces_[f].owner)]++)] =
+        static_cast<std::int32_t>(f);
+}
+
 bool Surface::erode(std::span<const model::Id> eroded) {
-  bool changed = false;
+  std::vector<std::size_t> dead;
   for (const model::Id id : eroded)
     if (const auto at = number_.find(id); at != number_.end()) {
       alive_[static_cast<std::size_t>(at->second)] = 0;
-      changed = true;
+      dead.push_back(static_cast<std::size_t>(at->second));
     }
-  if (changed) connect();
-  return changed;
+  // The faces of these elements go; those they hid appear.
+  std::vector<std::int32_t> gone, bared;
+  for (const std::size_t e : dead)
+    for (std::int32_t i = first_owned_[e]; i < first_owned_[e + 1]; ++i) {
+      const std::int32_t f = owned_[static_cast<std::size_t>(i)];
+      const std::int32_t twin = faces_[static_cast<std::size_t>(f)].twin;
+      if (here_[static_cast<std::size_t>(f)]) {
+        here_[static_cast<std::size_t>(f)] = 0;
+        gone.push_back(f);
+      } else if (twin >= 0 &&
+                 alive_[static_cast<std::size_t>(faces_[static_cast<std::size_t>(twin)].owner)]) {
+        here_[static_cast<std::size_t>(twin)] = 1;
+        bared.push_back(twin);
+      }
+    }
+  if (gone.empty() && bared.empty()) return false;
+
+  std::erase_if(active_, [&](std::int32_t f) { return !here_[static_cast<std::size_t>(f)]; });
+  std::sort(bared.begin(), bared.end());
+  const auto old = static_cast<std::ptrdiff_t>(active_.size());
+  active_.insert(active_.end(), bared.begin(), bared.end());
+  std::inplace_merge(active_.begin(), active_.begin() + old, active_.end());
+
+  std::vector<Index> touched, fresh;
+  const auto corners_of = [&](const std::vector<std::int32_t>& some, const auto& act) {
+    for (const std::int32_t f : some) {
+      const Face& face = faces_[static_cast<std::size_t>(f)];
+      for (int a = 0; a < face.corners(); ++a) act(face.node[static_cast<std::size_t>(a)], f);
+    }
+  };
+  corners_of(gone, [&](Index node, std::int32_t f) { leave(node, f), touched.push_back(node); });
+  corners_of(bared, [&](Index node, std::int32_t f) { enter(node, f), touched.push_back(node); });
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+
+  std::erase_if(nodes_, [&](Index node) { return rows_[static_cast<std::size_t>(node)].count == 0; });
+  for (const Index node : touched)
+    if (rows_[static_cast<std::size_t>(node)].count > 0 &&
+        !std::binary_search(nodes_.begin(), nodes_.end(), node))
+      fresh.push_back(node);
+  const auto before = static_cast<std::ptrdiff_t>(nodes_.size());
+  nodes_.insert(nodes_.end(), fresh.begin(), fresh.end());
+  std::inplace_merge(nodes_.begin(), nodes_.begin() + before, nodes_.end());
+  for (const Index node : touched)
+    for (const std::int32_t f : faces_at(node)) find_neighbours(f);
+  return true;
 }
 
 void Surface::connect() {
   // A face is there while its element is and the one across is not.
   active_.clear();
+  here_.assign(faces_.size(), 0);
+  rows_.assign(world_.node_count(), {});
+  neighbour_.assign(4 * faces_.size(), -1);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const Face& face = faces_[f];
-    if (alive_[static_cast<std::size_t>(face.owner)] &&
-        (face.across < 0 || !alive_[static_cast<std::size_t>(face.across)]))
-      active_.push_back(static_cast<std::int32_t>(f));
+    if (!alive_[static_cast<std::size_t>(face.owner)]) continue;
+    if (face.twin >= 0 && alive_[static_cast<std::size_t>(faces_[static_cast<std::size_t>(face.twin)].owner)])
+      continue;
+    here_[f] = 1;
+    active_.push_back(static_cast<std::int32_t>(f));
+    for (int a = 0; a < face.corners(); ++a)
+      ++rows_[static_cast<std::size_t>(face.node[static_cast<std::size_t>(a)])].room;
   }
   nodes_.clear();
-  for (const std::int32_t f : active_)
-    for (const Index node : faces_[static_cast<std::size_t>(f)].node) nodes_.push_back(node);
-  std::sort(nodes_.begin(), nodes_.end());
-  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-  place_.assign(world_.node_count(), -1);
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    place_[static_cast<std::size_t>(nodes_[i])] = static_cast<std::int32_t>(i);
-
-  first_.assign(nodes_.size() + 1, 0);
-  const auto each_corner = [&](const auto& act) {
-    for (const std::int32_t f : active_) {
-      const Face& face = faces_[static_cast<std::size_t>(f)];
-      for (int a = 0; a < face.corners(); ++a)
-        act(f, a,
-            static_cast<std::size_t>(
-                place_[static_cast<std::size_t>(face.node[static_cast<std::size_t>(a)])]));
-    }
-  };
-  each_corner([&](std::int32_t, int, std::size_t at) { ++first_[at + 1]; });
-  for (std::size_t i = 0; i < nodes_.size(); ++i) first_[i + 1] += first_[i];
-  list_.resize(static_cast<std::size_t>(first_.back()));
-  std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
-  each_corner([&](std::int32_t f, int, std::size_t at) { list_[static_cast<std::size_t>(next[at]++)] = f; });
-
-  // The face across the edge from corner a to the next is the one that runs it the other way.
-  neighbour_.assign(4 * faces_.size(), -1);
-  each_corner([&](std::int32_t f, int a, std::size_t) {
+  std::int32_t total = 0;
+  for (std::size_t node = 0; node < rows_.size(); ++node) {
+    rows_[node].first = total;
+    total += rows_[node].room;
+    if (rows_[node].room > 0) nodes_.push_back(static_cast<Index>(node));
+  }
+  list_.resize(static_cast<std::size_t>(total));
+  for (const std::int32_t f : active_) {
     const Face& face = faces_[static_cast<std::size_t>(f)];
+    for (int a = 0; a < face.corners(); ++a) enter(face.node[static_cast<std::size_t>(a)], f);
+  }
+  for (const std::int32_t f : active_) find_neighbours(f);
+}
+
+/// Lists a face at a node, in its place.
+void Surface::enter(Index node, std::int32_t face) {
+  Row& row = rows_[static_cast<std::size_t>(node)];
+  if (row.count == row.room) {
+    const auto end = static_cast<std::int32_t>(list_.size());
+    const std::int32_t room = std::max(8, 2 * row.room);
+    list_.resize(list_.size() + static_cast<std::size_t>(room));
+    std::copy_n(list_.begin() + row.first, row.count, list_.begin() + end);
+    row.first = end;
+    row.room = room;
+  }
+  const auto begin = list_.begin() + row.first, end = begin + row.count;
+  const auto at = std::lower_bound(begin, end, face);
+  std::copy_backward(at, end, end + 1);
+  *at = face;
+  ++row.count;
+}
+
+void Surface::leave(Index node, std::int32_t face) {
+  Row& row = rows_[static_cast<std::size_t>(node)];
+  const auto begin = list_.begin() + row.first, end = begin + row.count;
+  row.count = static_cast<std::int32_t>(std::remove(begin, end, face) - begin);
+}
+
+/// The face across the edge from corner a to the next is the one that runs it the other way.
+void Surface::find_neighbours(std::int32_t f) {
+  const Face& face = faces_[static_cast<std::size_t>(f)];
+  for (int a = 0; a < face.corners(); ++a) {
     const Index from = face.node[static_cast<std::size_t>(a)];
     const Index to = face.node[static_cast<std::size_t>((a + 1) % face.corners())];
     std::int32_t found = -1;
@@ -237,15 +314,12 @@ void Surface::connect() {
           found = found == -1 ? g : -2;
     }
     neighbour_[4 * static_cast<std::size_t>(f) + static_cast<std::size_t>(a)] = found < 0 ? -1 : found;
-  });
+  }
 }
 
 std::span<const std::int32_t> Surface::faces_at(Index node) const {
-  const std::int32_t at = place_[static_cast<std::size_t>(node)];
-  if (at < 0) return {};
-  const auto begin = static_cast<std::size_t>(first_[static_cast<std::size_t>(at)]);
-  const auto end = static_cast<std::size_t>(first_[static_cast<std::size_t>(at) + 1]);
-  return {list_.data() + begin, end - begin};
+  const Row& row = rows_[static_cast<std::size_t>(node)];
+  return {list_.data() + row.first, static_cast<std::size_t>(row.count)};
 }
 
 }  // namespace cleave::solver

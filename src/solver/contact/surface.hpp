@@ -29,10 +29,11 @@ struct Face {
   std::array<Index, 4> node;  ///< counter-clockwise seen from outside; triangles repeat the third
   model::Id element = 0;      ///< whose face it is
   Index part = -1;
-  double stiffness = 0.0;                ///< K A^2 / V [force/length]
-  double thickness = 0.0;                ///< V / A of the solid behind it, at the start [length]
-  double area = 0.0;                     ///< at the start [length^2]
-  std::int32_t owner = -1, across = -1;  ///< elements on this and on the other side; -1 none
+  double stiffness = 0.0;   ///< K A^2 / V [force/length]
+  double thickness = 0.0;   ///< V / A of the solid behind it, at the start [length]
+  double area = 0.0;        ///< at the start [length^2]
+  std::int32_t owner = -1;  ///< element it belongs to, by number
+  std::int32_t twin = -1;   ///< face of the element on the other side; -1 none
 
   int corners() const { return node[3] == node[2] ? 3 : 4; }
 };
@@ -50,7 +51,7 @@ class Surface {
 
   /// Sets which elements are there.
   void start(const discretisation::State& state);
-  /// Takes elements away. @return did the faces change?
+  /// Takes elements away, at the cost of the faces that change. @return did they?
   bool erode(std::span<const model::Id> eroded);
 
   const std::vector<Face>& faces() const { return faces_; }            ///< all there may ever be
@@ -75,18 +76,30 @@ class Surface {
   void add_outer(bool inner, std::span<const Index> parts);
   void add_listed(const model::Contact& contact, const model::ContactSide& side, bool orient,
                   deck::Diagnostics& diagnostics);
-  void add_face(const model::Segment& segment, const Side& owner, std::int32_t across);
+  void add_face(const model::Segment& segment, const Side& owner, std::int32_t twin);
   std::int32_t number(const Side& side);
+  void list_owned();
   void connect();
+  void enter(Index node, std::int32_t face);
+  void leave(Index node, std::int32_t face);
+  void find_neighbours(std::int32_t face);
+
+  /// Where the faces at a node are listed; rows that outgrow their room move to the end.
+  struct Row {
+    std::int32_t first = 0, count = 0, room = 0;
+  };
 
   const discretisation::World& world_;
   std::vector<Face> faces_;
-  std::vector<model::Id> elements_;  // owners of faces, by number
-  std::vector<char> alive_;          // [element]
+  std::vector<model::Id> elements_;                // owners of faces, by number
+  std::vector<char> alive_;                        // [element]
+  std::vector<char> here_;                         // [face] is it active?
+  std::vector<std::int32_t> first_owned_, owned_;  // CSR of faces by element
   std::unordered_map<model::Id, std::int32_t> number_;
   std::vector<std::int32_t> active_, neighbour_;
   std::vector<Index> nodes_;
-  std::vector<std::int32_t> place_, first_, list_;  // node -> place in nodes_; CSR of faces by place
+  std::vector<Row> rows_;           // [node]
+  std::vector<std::int32_t> list_;  // active faces, row by row, ascending in each
 };
 
 }  // namespace cleave::solver
