@@ -217,6 +217,7 @@ class Explicit final : public Solver {
     const Moment now{state.time, state.step, state.next_step, state.position, state.velocity, state.mass};
     StepStatus status;
     double rate = 0.0, damping = 0.0;
+    for (const auto& interaction : interactions_) interaction->clear_nodal(contact_force_);
     for (std::size_t i = 0; i < interactions_.size(); ++i) {
       const ContactOutput output =
           interactions_[i]->add_force(now, eroded_, state.memory[interaction_memory_[i]].values, internal_);
@@ -232,7 +233,6 @@ class Explicit final : public Solver {
   /// What contact is doing, for the observers.
   void report_contact(State& state, const Moment& now, std::span<const double> a) {
     if (interactions_.empty()) return;
-    std::fill(contact_force_.begin(), contact_force_.end(), 0.0);
     double sliding = 0.0;
     for (std::size_t i = 0; i < interactions_.size(); ++i) {
       base::Array<double>& memory = state.memory[interaction_memory_[i]].values;

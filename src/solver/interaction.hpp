@@ -32,6 +32,8 @@ class Interaction {
   virtual InterfaceForce report(std::span<const double> memory) const = 0;
   /// Adds the forces last added to those of each node [node][3] [force]; for output.
   virtual void add_nodal(std::span<double> force) const = 0;
+  /// Sets to zero what add_nodal added to.
+  virtual void clear_nodal(std::span<double> force) const = 0;
 };
 
 /// One for each contact that is not a tie of nodes. Faces that lead nowhere, and what penetrates at the

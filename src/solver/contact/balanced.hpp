@@ -77,4 +77,13 @@ inline void add_touch(const Touch& touch, const Vector& f, std::span<double> for
   }
 }
 
+/// Sets the forces of the nodes of both sides to zero [node][3].
+inline void clear_touch(const Touch& touch, std::span<double> force) {
+  for (const auto& nodes : {touch.a, touch.b})
+    for (int k = 0; k < 4; ++k) {
+      double* at = &force[3 * static_cast<std::size_t>(nodes[k])];
+      at[0] = at[1] = at[2] = 0.0;
+    }
+}
+
 }  // namespace cleave::solver

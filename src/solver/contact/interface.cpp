@@ -147,6 +147,9 @@ class Interface final : public Interaction {
     for (const Touch& touch : touches_)
       add_touch(touch, touch.pressure + touch.friction + touch.viscous, force);
   }
+  void clear_nodal(std::span<double> force) const override {
+    for (const Touch& touch : touches_) clear_touch(touch, force);
+  }
 
  private:
   /// Places in the memory; what is remembered of each touch follows.

@@ -30,8 +30,7 @@ struct Largest {
 
 void Reach::renew(const Moment& now, std::span<const Index> nodes, double margin, double sweep) {
   nodes_.assign(nodes.begin(), nodes.end());
-  boxes_.resize(nodes_.size());
-  place_.resize(now.mass.size());
+  boxes_.resize(now.mass.size());
   time_ = now.time;
   const std::size_t count = nodes_.size();
   drift_ = {0, 0, 0};
@@ -54,10 +53,9 @@ void Reach::renew(const Moment& now, std::span<const Index> nodes, double margin
   if (fastest * ahead > sweep) ahead = std::max(sweep / fastest, step);
   base::for_each_range(count, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      place_[static_cast<std::size_t>(nodes_[i])] = static_cast<std::int32_t>(i);
       const Vector x = vector_at(now.position, nodes_[i]), v = vector_at(now.velocity, nodes_[i]) - drift_;
       const Vector old = x - now.step_before * v, later = x + ahead * v;
-      Bounds& box = boxes_[i];
+      Bounds& box = boxes_[static_cast<std::size_t>(nodes_[i])];
       const double at[3][3] = {{x.x, old.x, later.x}, {x.y, old.y, later.y}, {x.z, old.z, later.z}};
       for (int k = 0; k < 3; ++k) {
         box.low[k] = std::min({at[k][0], at[k][1], at[k][2]}) - margin;
@@ -75,7 +73,7 @@ bool Reach::holds(const Moment& now) const {
     bool mine = true;
     for (std::size_t i = begin; i < end; ++i) {
       const Vector x = vector_at(now.position, nodes_[i]) - shift;
-      const Bounds& box = boxes_[i];
+      const Bounds& box = boxes_[static_cast<std::size_t>(nodes_[i])];
       mine = mine && x.x >= box.low[0] && x.x <= box.high[0] && x.y >= box.low[1] && x.y <= box.high[1] &&
              x.z >= box.low[2] && x.z <= box.high[2];
     }

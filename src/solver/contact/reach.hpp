@@ -19,9 +19,7 @@ class Reach {
   /// Is every node in its box?
   bool holds(const Moment& now) const;
 
-  Bounds box(Index node) const {
-    return boxes_[static_cast<std::size_t>(place_[static_cast<std::size_t>(node)])];
-  }
+  const Bounds& box(Index node) const { return boxes_[static_cast<std::size_t>(node)]; }
   template <class Nodes>
   Bounds box_of(const Nodes& nodes) const {
     Bounds all = Bounds::nothing();
@@ -31,9 +29,8 @@ class Reach {
 
  private:
   std::vector<Index> nodes_;
-  std::vector<Bounds> boxes_;        // [place]
-  std::vector<std::int32_t> place_;  // [node]
-  Vector drift_{0, 0, 0};            // mean velocity
+  std::vector<Bounds> boxes_;  // [node], set for those in nodes_
+  Vector drift_{0, 0, 0};      // mean velocity
   double time_ = 0.0;
 };
 

@@ -49,7 +49,7 @@ class SegmentFinder final : public Finder {
     if (!near_.holds(now)) sort(now);
     near_.touches(grain, out,
                   [&](std::int32_t f, std::span<const std::int32_t> faces, std::vector<Touch>& to) {
-                    for (const std::int32_t g : faces) look(now, past, f, g, to);
+                    look(now, past, f, faces, to);
                   });
   }
 
@@ -76,14 +76,34 @@ class SegmentFinder final : public Finder {
         [&](std::int32_t f, std::int32_t g) { return !single_ || (g > f && !joined(face_a(f), face(g))); });
   }
 
-  void look(const Moment& now, const Past& past, std::int32_t f, std::int32_t g,
-            std::vector<Touch>& out) const {
-    const Face &one = face_a(f), &other = face(g);
-    Vector x[4], y[4];
+  /// Where a face was a step ago and is now.
+  static Bounds swept(const Moment& now, const Face& face, Vector x[4]) {
+    Bounds box = Bounds::nothing();
     for (std::size_t i = 0; i < 4; ++i) {
-      x[i] = vector_at(now.position, one.node[i]);
-      y[i] = vector_at(now.position, other.node[i]);
+      x[i] = vector_at(now.position, face.node[i]);
+      const Vector old = x[i] - now.step_before * vector_at(now.velocity, face.node[i]);
+      box.add({{x[i].x, x[i].y, x[i].z}, {x[i].x, x[i].y, x[i].z}});
+      box.add({{old.x, old.y, old.z}, {old.x, old.y, old.z}});
     }
+    return box;
+  }
+
+  void look(const Moment& now, const Past& past, std::int32_t f, std::span<const std::int32_t> near,
+            std::vector<Touch>& out) const {
+    Vector x[4], y[4];
+    Bounds box = swept(now, face_a(f), x);
+    box.grow(keep_depth * face_a(f).thickness);
+    for (const std::int32_t g : near) {
+      const Face& other = face(g);
+      Bounds of_other = swept(now, other, y);
+      of_other.grow(keep_depth * other.thickness);
+      if (box.meets(of_other)) press(now, past, f, g, x, y, out);
+    }
+  }
+
+  void press(const Moment& now, const Past& past, std::int32_t f, std::int32_t g, const Vector x[4],
+             const Vector y[4], std::vector<Touch>& out) const {
+    const Face &one = face_a(f), &other = face(g);
     Overlap shared;
     if (!overlap(x, y, shared)) return;
     Touch touch;

@@ -118,6 +118,9 @@ class TiedFaces final : public Interaction {
     for (const Spring& spring : springs_)
       if (active_) add_touch(spring.touch, spring.touch.pressure, force);
   }
+  void clear_nodal(std::span<double> force) const override {
+    for (const Spring& spring : springs_) clear_touch(spring.touch, force);
+  }
 
  private:
   enum Slot : std::size_t { energy, energy_after, force_x, head = force_x + 3 };
