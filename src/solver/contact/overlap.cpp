@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "base/lanes.hpp"
+
 namespace cleave::solver {
 namespace {
 
 using base::cross;
 using base::dot;
+using base::lane_count;
+using base::Lanes;
 
 constexpr double least_facing = 0.25;  // faces at more than 75 degrees do not push each other
 constexpr int most = 12;               // corners of a polygon
@@ -55,36 +59,68 @@ struct Shadow {
   double slope_x, slope_y, height;  // z = height + slope_x x + slope_y y of its plane
   double plane(const Point& q) const { return height + slope_x * q.x + slope_y * q.y; }
 
-  /// Values of the corner functions at a point of the face.
-  void weights(const Point& q, double w[4]) const {
+  /// Values of the corner functions at points of the face.
+  void weights(Lanes x, Lanes y, Lanes w[4]) const {
     if (count == 3) {
-      const double whole = cross2(p[0], p[1], p[2]);
-      w[1] = cross2(p[0], q, p[2]) / whole;
-      w[2] = cross2(p[0], p[1], q) / whole;
-      w[0] = 1.0 - w[1] - w[2];
+      const Lanes per_whole = 1.0 / cross2(p[0], p[1], p[2]);
+      const auto half = [&](const Point& a, const Point& b) {
+        return (Lanes(b.x - a.x) * (y - a.y) - Lanes(b.y - a.y) * (x - a.x)) * per_whole;
+      };
+      w[1] = half(p[2], p[0]);
+      w[2] = half(p[0], p[1]);
+      w[0] = Lanes(1.0) - w[1] - w[2];
       w[3] = 0.0;
       return;
     }
-    double r = 0.5, s = 0.5;
+    Lanes r = 0.5, s = 0.5;
     const Point e{p[1].x - p[0].x, p[1].y - p[0].y}, f{p[3].x - p[0].x, p[3].y - p[0].y};
     const Point h{p[2].x - p[1].x - f.x, p[2].y - p[1].y - f.y};
+    const Lanes qx = x - p[0].x, qy = y - p[0].y;
     for (int k = 0; k < 8; ++k) {  // Newton; one round for a parallelogram
-      const double dx = q.x - p[0].x - r * e.x - s * f.x - r * s * h.x;
-      const double dy = q.y - p[0].y - r * e.y - s * f.y - r * s * h.y;
-      const double a = e.x + s * h.x, b = f.x + r * h.x, c = e.y + s * h.y, d = f.y + r * h.y;
-      const double det = a * d - b * c;
-      if (det == 0.0) break;
-      const double dr = (dx * d - dy * b) / det, ds = (dy * a - dx * c) / det;
+      const Lanes rs = r * s;
+      const Lanes dx = qx - r * e.x - s * f.x - rs * h.x, dy = qy - r * e.y - s * f.y - rs * h.y;
+      const Lanes a = s * h.x + e.x, b = r * h.x + f.x, c = s * h.y + e.y, d = r * h.y + f.y;
+      const Lanes det = a * d - b * c;
+      const Lanes inverse =
+          select(det > 0.0, Lanes(1.0) / det, select(det < 0.0, Lanes(1.0) / det, Lanes(0.0)));
+      const Lanes dr = (dx * d - dy * b) * inverse, ds = (dy * a - dx * c) * inverse;
       r += dr;
       s += ds;
-      if (std::abs(dr) + std::abs(ds) < 1e-14) break;
+      if (!any(abs(dr) + abs(ds) >= 1e-14)) break;
     }
-    r = std::clamp(r, 0.0, 1.0);
-    s = std::clamp(s, 0.0, 1.0);
-    w[0] = (1.0 - r) * (1.0 - s);
-    w[1] = r * (1.0 - s);
+    r = max(min(r, Lanes(1.0)), Lanes(0.0));
+    s = max(min(s, Lanes(1.0)), Lanes(0.0));
+    const Lanes q = Lanes(1.0) - r, t = Lanes(1.0) - s;
+    w[0] = q * t;
+    w[1] = r * t;
     w[2] = r * s;
-    w[3] = (1.0 - r) * s;
+    w[3] = q * s;
+  }
+};
+
+/// The middles of the edges of a fan of triangles, with weights: exact to second degree. Lanes that are not
+/// needed have no weight and lie on the first corner.
+struct Quadrature {
+  static constexpr int room = 24;  // the edges of a fan of most corners are 2 most - 3
+  static_assert(room >= 2 * most - 3 && room % lane_count == 0);
+  alignas(64) double x[room], y[room], area[room];
+  int count = 0;
+
+  explicit Quadrature(const Polygon& polygon) {
+    const auto add = [&](const Point& a, const Point& b, double weight) {
+      x[count] = 0.5 * (a.x + b.x);
+      y[count] = 0.5 * (a.y + b.y);
+      area[count++] = weight;
+    };
+    double last = 0.0;
+    for (int i = 2; i < polygon.count; ++i) {
+      const double third = std::max(cross2(polygon.p[0], polygon.p[i - 1], polygon.p[i]) / 6.0, 0.0);
+      add(polygon.p[0], polygon.p[i - 1], last + third);
+      add(polygon.p[i - 1], polygon.p[i], third);
+      last = third;
+    }
+    add(polygon.p[0], polygon.p[polygon.count - 1], last);
+    while (count % lane_count != 0) add(polygon.p[0], polygon.p[0], 0.0);
   }
 };
 
@@ -171,44 +207,53 @@ bool overlap(const Vector a[4], const Vector b[4], Overlap& out, std::vector<Sha
   if (shared.count < 3) return false;
   out.area = shared.area();
   if (!(out.area > 1e-12 * std::min(la, lb))) return false;
-  // The middles of the edges of a fan of triangles: exact to second degree.
-  const auto each_point = [&](const Polygon& polygon, const auto& visit) {
-    for (int i = 2; i < polygon.count; ++i) {
-      const Point tri[3] = {polygon.p[0], polygon.p[i - 1], polygon.p[i]};
-      const double third = cross2(tri[0], tri[1], tri[2]) / 6.0;
-      if (!(third > 0.0)) continue;
-      for (int k = 0; k < 3; ++k) {
-        const Point q{0.5 * (tri[k].x + tri[(k + 1) % 3].x), 0.5 * (tri[k].y + tri[(k + 1) % 3].y)};
-        SharedPoint point{third, 0.0, {}, {}};
-        sa.weights(q, point.wa);
-        sb.weights(q, point.wb);
-        for (int c = 0; c < 4; ++c) point.gap += point.wb[c] * sb.z[c] - point.wa[c] * sa.z[c];
-        visit(point);
-      }
+  const auto each_batch = [&](const Polygon& polygon, const auto& visit) {
+    const Quadrature points(polygon);
+    for (int i = 0; i < points.count; i += lane_count) {
+      Lanes wa[4], wb[4], gap = 0.0;
+      const Lanes x = Lanes::load(points.x + i), y = Lanes::load(points.y + i);
+      sa.weights(x, y, wa);
+      sb.weights(x, y, wb);
+      for (int c = 0; c < 4; ++c) gap += wb[c] * sb.z[c] - wa[c] * sa.z[c];
+      visit(Lanes::load(points.area + i), gap, wa, wb);
     }
   };
   if (whole) {
-    each_point(shared, [&](const SharedPoint& point) { whole->push_back(point); });
+    each_batch(shared, [&](Lanes area, Lanes gap, const Lanes wa[4], const Lanes wb[4]) {
+      for (int lane = 0; lane < lane_count; ++lane) {
+        if (!(area[lane] > 0.0)) continue;
+        SharedPoint point{area[lane], gap[lane], {}, {}};
+        for (int c = 0; c < 4; ++c) point.wa[c] = wa[c][lane], point.wb[c] = wb[c][lane];
+        whole->push_back(point);
+      }
+    });
     return !whole->empty();
   }
   const Polygon deep = cut(shared, depth);
   if (deep.count < 3) return false;
 
-  out.deep_area = out.volume = 0.0;
-  for (int i = 0; i < 4; ++i) out.wa[i] = out.wb[i] = 0.0;
-  each_point(deep, [&](const SharedPoint& point) {
-    out.deep_area += point.area;
-    if (!(point.gap > 0.0)) return;
-    out.volume += point.area * point.gap;
+  Lanes deep_area = 0.0, volume = 0.0, va[4] = {0.0, 0.0, 0.0, 0.0}, vb[4] = {0.0, 0.0, 0.0, 0.0};
+  each_batch(deep, [&](Lanes area, Lanes gap, const Lanes wa[4], const Lanes wb[4]) {
+    const Lanes some = area * max(gap, Lanes(0.0));
+    deep_area += area;
+    volume += some;
     for (int c = 0; c < 4; ++c) {
-      out.wa[c] += point.area * point.gap * point.wa[c];
-      out.wb[c] += point.area * point.gap * point.wb[c];
+      va[c] += some * wa[c];
+      vb[c] += some * wb[c];
     }
   });
+  const auto total = [](const Lanes& lanes) {
+    double sum = 0.0;
+    for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
+    return sum;
+  };
+  out.deep_area = total(deep_area);
+  out.volume = total(volume);
   if (!(out.volume > 0.0)) return false;
+  const double per_volume = 1.0 / out.volume;
   for (int c = 0; c < 4; ++c) {
-    out.wa[c] /= out.volume;
-    out.wb[c] /= out.volume;
+    out.wa[c] = total(va[c]) * per_volume;
+    out.wb[c] = total(vb[c]) * per_volume;
   }
   return true;
 }

@@ -5,12 +5,13 @@
 
 #include "solver/contact/candidates.hpp"
 #include "solver/contact/finders.hpp"
+#include "solver/contact/gate.hpp"
 #include "solver/contact/overlap.hpp"
 
 namespace cleave::solver {
 namespace {
 
-constexpr std::size_t grain = 64;
+constexpr std::size_t grain = 8;     // faces that touch are few and stand together in the list
 constexpr double reach_depth = 0.5;  // of the mean thickness of both: deeper is another side of the body
 constexpr double keep_depth = 1.0;
 constexpr double stiffer = 4.0;  // than a node's spring; the step of the elements leaves room for it
@@ -76,36 +77,29 @@ class SegmentFinder final : public Finder {
         [&](std::int32_t f, std::int32_t g) { return !single_ || (g > f && !joined(face_a(f), face(g))); });
   }
 
-  /// Where a face was a step ago and is now.
-  static Bounds swept(const Moment& now, const Face& face, Vector x[4]) {
-    Bounds box = Bounds::nothing();
-    for (std::size_t i = 0; i < 4; ++i) {
-      x[i] = vector_at(now.position, face.node[i]);
-      const Vector old = x[i] - now.step_before * vector_at(now.velocity, face.node[i]);
-      box.add({{x[i].x, x[i].y, x[i].z}, {x[i].x, x[i].y, x[i].z}});
-      box.add({{old.x, old.y, old.z}, {old.x, old.y, old.z}});
-    }
-    return box;
-  }
-
   void look(const Moment& now, const Past& past, std::int32_t f, std::span<const std::int32_t> near,
             std::vector<Touch>& out) const {
-    Vector x[4], y[4];
-    Bounds box = swept(now, face_a(f), x);
-    box.grow(keep_depth * face_a(f).thickness);
-    for (const std::int32_t g : near) {
-      const Face& other = face(g);
-      Bounds of_other = swept(now, other, y);
-      of_other.grow(keep_depth * other.thickness);
-      if (box.meets(of_other)) press(now, past, f, g, x, y, out);
+    Vector x[4];
+    for (std::size_t i = 0; i < 4; ++i) x[i] = vector_at(now.position, face_a(f).node[i]);
+    const Gate gate(x);
+    for (std::size_t from = 0; from < near.size(); from += base::lane_count) {
+      const std::size_t count = std::min<std::size_t>(base::lane_count, near.size() - from);
+      Gate::Corners y;
+      for (std::size_t lane = 0; lane < base::lane_count; ++lane) {
+        const Face& other = face(near[from + std::min(lane, count - 1)]);
+        for (std::size_t i = 0; i < 4; ++i) y.set(i, lane, vector_at(now.position, other.node[i]));
+      }
+      const base::Mask may = gate.open(y);
+      for (std::size_t lane = 0; lane < count; ++lane)
+        if (may[static_cast<int>(lane)]) press(now, past, f, near[from + lane], x, y.face(lane), out);
     }
   }
 
   void press(const Moment& now, const Past& past, std::int32_t f, std::int32_t g, const Vector x[4],
-             const Vector y[4], std::vector<Touch>& out) const {
+             const std::array<Vector, 4>& y, std::vector<Touch>& out) const {
     const Face &one = face_a(f), &other = face(g);
     Overlap shared;
-    if (!overlap(x, y, shared)) return;
+    if (!overlap(x, y.data(), shared)) return;
     Touch touch;
     touch.key[0] = f;
     touch.key[1] = g;
