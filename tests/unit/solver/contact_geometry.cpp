@@ -160,8 +160,8 @@ TEST(ContactGate, LetsThroughWhatOverlaps) {
   EXPECT_LT(passed - met, (all - met) / 3);
 }
 
-// Deleting elements one after the other leaves the same surface as a start without them.
-TEST(ContactSurface, ErosionIsTheSameAsAFreshStart) {
+// Deleting elements one after the other leaves the same surface as deleting all at once.
+TEST(ContactSurface, ErosionStepByStepIsThatAtOnce) {
   model::Model m;
   m.parts.resize(1);
   m.mesh.solids.resize(1);
