@@ -21,12 +21,17 @@ inline std::vector<Index> united(std::span<const Index> first, std::span<const I
 
 class Candidates {
  public:
-  bool holds(const Moment& now) const { return reach_.holds(now); }
-  void forget() { reach_.forget(); }
+  /// Are the lists whole: every node in its box, the faces of both surfaces those that were listed?
+  bool hold(const Moment& now, const Surface& a, const Surface& b) const {
+    return a.version() == version_a_ && b.version() == version_b_ && reach_.holds(now);
+  }
 
   /// Boxes around the nodes; see Reach::renew.
-  void place(const Moment& now, std::span<const Index> nodes, double margin, double sweep) {
+  void place(const Moment& now, std::span<const Index> nodes, double margin, double sweep, const Surface& a,
+             const Surface& b) {
     reach_.renew(now, nodes, margin, sweep);
+    version_a_ = a.version();
+    version_b_ = b.version();
   }
   const Reach& reach() const { return reach_; }
   Bounds box(const Face& face, double depth) const {
@@ -132,6 +137,7 @@ class Candidates {
   }
 
   Reach reach_;
+  std::int64_t version_a_ = -1, version_b_ = -1;
   Tree tree_;
   std::vector<std::int32_t> faces_;         // in the tree
   std::vector<std::int32_t> who_;           // things near any face

@@ -28,6 +28,40 @@ struct Spent {
   }
 };
 
+/// Least offsets of the touches of the step before by face, for faces against faces: sliding bodies hand
+/// their pressure from face to face.
+class Offsets {
+ public:
+  static constexpr double none = 1e300;
+
+  void take(const Past& past, const model::Contact& contact) {
+    for (std::vector<double>* side : {&a_, &b_}) std::fill(side->begin(), side->end(), none);
+    if (contact.soft != 2) return;
+    single_ = contact.search == model::Contact::Search::single;
+    for (const Remembered& one : past.all()) {
+      lower(a_, one.key[0], one.offset);
+      lower(single_ ? a_ : b_, one.key[1], one.offset);
+    }
+  }
+  /// The least of both faces; `none` where neither touched anything, and for nodes.
+  double around(const Touch& touch) const {
+    return std::min(at(a_, touch.key[0]), at(single_ ? a_ : b_, touch.key[1]));
+  }
+
+ private:
+  static void lower(std::vector<double>& side, double face, double offset) {
+    const auto at = static_cast<std::size_t>(face);
+    if (at >= side.size()) side.resize(at + 1, none);
+    side[at] = std::min(side[at], offset);
+  }
+  static double at(const std::vector<double>& side, std::int64_t face) {
+    const auto at = static_cast<std::size_t>(face);
+    return at < side.size() ? side[at] : none;
+  }
+  std::vector<double> a_, b_;  // [face]
+  bool single_ = false;
+};
+
 class Interface final : public Interaction {
  public:
   Interface(const model::Model& model, const model::Contact& contact, std::size_t number,
@@ -70,6 +104,7 @@ class Interface final : public Interaction {
     }
     output.status = check(past, ends);
 
+    offsets_.take(past, contact_);
     kept_.resize(touches_.size());
     std::vector<double> largest((touches_.size() + grain - 1) / grain, 0.0);
     std::vector<double> damped(largest.size(), 0.0);
@@ -170,11 +205,31 @@ class Interface final : public Interaction {
   /// Forces of a touch; @return what is to be remembered of it.
   Remembered press(const Moment& now, double step, Touch& touch, const Remembered* old, bool first,
                    double& largest_damping) const {
-    Remembered kept{
-        {static_cast<double>(touch.key[0]), static_cast<double>(touch.key[1])}, {0, 0, 0}, 0.0, touch.depth};
-    // What penetrates at the start counts as touching; it does not come back once it has left.
-    if (old) kept.offset = std::min(old->offset, touch.depth);
-    if (first) kept.offset = touch.depth;
+    const Vector v = relative(touch, now.velocity);
+    const double approach = dot(v, touch.normal);
+    Remembered kept{{static_cast<double>(touch.key[0]), static_cast<double>(touch.key[1])},
+                    {0, 0, 0},
+                    0.0,
+                    touch.depth,
+                    touch.pokes,
+                    touch.fade};
+    // What penetrates at the start counts as touching, and so do sides that come to lie behind each other by
+    // anything but going into each other: nobody did the work. It does not come back once it has left.
+    if (old)
+      kept.offset = std::min(old->offset, touch.depth);
+    else if (first)
+      kept.offset = touch.depth;
+    else
+      kept.offset = std::min(offsets_.around(touch),
+                             std::max(0.0, touch.depth + std::min(approach * now.step_before, 0.0)));
+    // Nor may a tilt make the spring stiffer while it is let go than it was while it was pressed.
+    if (old) {
+      const bool pressed = approach < 0.0;
+      kept.pokes = pressed ? std::max(old->pokes, touch.pokes) : old->pokes;
+      kept.fade = pressed ? std::max(old->fade, touch.fade) : old->fade;
+      touch.pokes = std::min(touch.pokes, kept.pokes);
+      touch.fade = std::min(touch.fade, kept.fade);
+    }
     const double depth = touch.depth - kept.offset;
     double inverse_a = 0.0, inverse_b = 0.0;
     for (int k = 0; k < 4; ++k) {
@@ -184,6 +239,7 @@ class Interface final : public Interaction {
       if (mb > 0.0) inverse_b += touch.wb[k] * touch.wb[k] / mb;
     }
     const double mass = inverse_a + inverse_b > 0.0 ? 1.0 / (inverse_a + inverse_b) : 0.0;
+    touch.stiffness *= touch.fade * (1.0 + touch.pokes * (touch.cover - 1.0));
     if (contact_.soft == 1)
       touch.stiffness = std::max(touch.stiffness, 0.5 * contact_.soft_scale * mass / (step * step));
     const double harder = touch.hardening * depth * depth;
@@ -195,8 +251,6 @@ class Interface final : public Interaction {
     touch.pressure = push * touch.normal;
     touch.stiffness *= 1.0 + 3.0 * harder;  // what it is about this depth
 
-    const Vector v = relative(touch, now.velocity);
-    const double approach = dot(v, touch.normal);
     if (contact_.damping > 0.0) {
       const double critical = 2.0 * std::sqrt(touch.stiffness * mass);
       const double brake = std::max(-contact_.damping * critical * approach, -push);  // never pulls
@@ -307,6 +361,7 @@ class Interface final : public Interaction {
   double rate_scale_;           // integers per stiffness
   std::vector<Touch> touches_;  // of the last call
   std::vector<Remembered> kept_;
+  Offsets offsets_;
   std::vector<std::int64_t> rates_;  // [node], zero between calls
 };
 

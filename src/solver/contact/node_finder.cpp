@@ -33,19 +33,17 @@ class NodeFinder final : public Finder {
   void start(const discretisation::State& state) override {
     of_nodes_->start(state);
     faces_->start(state);
-    near_.forget();
   }
   void erode(std::span<const model::Id> eroded) override {
-    const bool nodes = of_nodes_->erode(eroded);
-    const bool faces = faces_ != of_nodes_ && faces_->erode(eroded);
-    if (nodes || faces) near_.forget();
+    of_nodes_->erode(eroded);
+    faces_->erode(eroded);
   }
   const Face& face(std::int32_t number) const override {
     return faces_->faces()[static_cast<std::size_t>(number)];
   }
 
   void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
-    if (!near_.holds(now)) sort(now);
+    if (!near_.hold(now, *of_nodes_, *faces_)) sort(now);
     near_.touches(grain, out, [&](Index node, std::span<const std::int32_t> faces, std::vector<Touch>& to) {
       look(now, past, node, faces, to);
     });
@@ -60,7 +58,7 @@ class NodeFinder final : public Finder {
     double size = 0.0;
     for (const std::int32_t f : active) size += std::sqrt(face(f).area);
     size /= std::max<double>(1.0, static_cast<double>(active.size()));
-    near_.place(now, united(slaves(), faces_->nodes()), 0.1 * size, 0.5 * size);
+    near_.place(now, united(slaves(), faces_->nodes()), 0.1 * size, 0.5 * size, *of_nodes_, *faces_);
     near_.list(
         slaves(), *faces_, keep_depth, 1024, [&](Index node) { return near_.reach().box(node); },
         [&](Index node, std::int32_t f) { return !single_ || !own(node, face(f)); });

@@ -15,7 +15,6 @@ class Reach {
   /// @param margin  of the boxes [length]
   /// @param sweep   how far the fastest node may travel in its box [length]
   void renew(const Moment& now, std::span<const Index> nodes, double margin, double sweep);
-  void forget() { nodes_.clear(); }
   /// Is every node in its box?
   bool holds(const Moment& now) const;
 

@@ -36,18 +36,17 @@ class SegmentFinder final : public Finder {
   void start(const discretisation::State& state) override {
     a_->start(state);
     if (!single_) b_->start(state);
-    near_.forget();
   }
   void erode(std::span<const model::Id> eroded) override {
-    const bool first = a_->erode(eroded), second = !single_ && b_->erode(eroded);
-    if (first || second) near_.forget();
+    a_->erode(eroded);
+    b_->erode(eroded);
   }
   const Face& face(std::int32_t number) const override {
     return b_->faces()[static_cast<std::size_t>(number)];
   }
 
   void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
-    if (!near_.holds(now)) sort(now);
+    if (!near_.hold(now, *a_, *b_)) sort(now);
     near_.touches(grain, out,
                   [&](std::int32_t f, std::span<const std::int32_t> faces, std::vector<Touch>& to) {
                     look(now, past, f, faces, to);
@@ -71,7 +70,7 @@ class SegmentFinder final : public Finder {
     for (const std::int32_t f : bs) size += std::sqrt(face(f).area);
     size /= std::max<double>(1.0, static_cast<double>(as.size() + bs.size()));
     constexpr double half = 0.5 * keep_depth;  // each of two faces brings its own
-    near_.place(now, united(a_->nodes(), b_->nodes()), 0.05 * size, 0.4 * size);
+    near_.place(now, united(a_->nodes(), b_->nodes()), 0.05 * size, 0.4 * size, *a_, *b_);
     near_.list(
         as, *b_, half, 256, [&](std::int32_t f) { return near_.box(face_a(f), half); },
         [&](std::int32_t f, std::int32_t g) { return !single_ || (g > f && !joined(face_a(f), face(g))); });
@@ -120,11 +119,12 @@ class SegmentFinder final : public Finder {
       if (came < 0.0 && !past.find(touch.key)) return;
     }
     const double of_a = factor_a_ * one.stiffness / one.area, of_b = factor_b_ * other.stiffness / other.area;
-    double pressure = rule_ == 2 ? of_b : rule_ == 3 ? of_a : std::min(of_a, of_b);  // per depth
+    const double pressure = rule_ == 2 ? of_b : rule_ == 3 ? of_a : std::min(of_a, of_b);  // per depth
     // A corner or an edge that pokes covers little area: it gets the stiffness of the area it would cover.
-    const double pokes = 1.0 - ramp(shared.facing, 0.94, 0.995);
-    pressure *= 1.0 + pokes * (std::min(shared.area / shared.deep_area, 100.0) - 1.0);
-    touch.stiffness = ramp(shared.facing, 0.25, 0.5) * pressure * shared.deep_area;
+    touch.pokes = 1.0 - ramp(shared.facing, 0.94, 0.995);
+    touch.cover = std::min(shared.area / shared.deep_area, 100.0);
+    touch.fade = ramp(shared.facing, 0.25, 0.5);
+    touch.stiffness = pressure * shared.deep_area;
     touch.hardening = 1.0 / (hard_depth * hard_depth * thick * thick);
     out.push_back(touch);
   }

@@ -189,7 +189,7 @@ void Surface::list_owned() {
         static_cast<std::int32_t>(f);
 }
 
-bool Surface::erode(std::span<const model::Id> eroded) {
+void Surface::erode(std::span<const model::Id> eroded) {
   std::vector<std::size_t> dead;
   for (const model::Id id : eroded)
     if (const auto at = number_.find(id); at != number_.end()) {
@@ -211,7 +211,8 @@ bool Surface::erode(std::span<const model::Id> eroded) {
         bared.push_back(twin);
       }
     }
-  if (gone.empty() && bared.empty()) return false;
+  if (gone.empty() && bared.empty()) return;
+  ++version_;
 
   std::erase_if(active_, [&](std::int32_t f) { return !here_[static_cast<std::size_t>(f)]; });
   std::sort(bared.begin(), bared.end());
@@ -241,10 +242,10 @@ bool Surface::erode(std::span<const model::Id> eroded) {
   std::inplace_merge(nodes_.begin(), nodes_.begin() + before, nodes_.end());
   for (const Index node : touched)
     for (const std::int32_t f : faces_at(node)) find_neighbours(f);
-  return true;
 }
 
 void Surface::connect() {
+  ++version_;
   // A face is there while its element is and the one across is not.
   active_.clear();
   here_.assign(faces_.size(), 0);

@@ -51,8 +51,10 @@ class Surface {
 
   /// Sets which elements are there.
   void start(const discretisation::State& state);
-  /// Takes elements away, at the cost of the faces that change. @return did they?
-  bool erode(std::span<const model::Id> eroded);
+  /// Takes elements away, at the cost of the faces that change. Elements that are gone already do not matter.
+  void erode(std::span<const model::Id> eroded);
+  /// Grows whenever the active faces change.
+  std::int64_t version() const { return version_; }
 
   const std::vector<Face>& faces() const { return faces_; }            ///< all there may ever be
   const std::vector<std::int32_t>& active() const { return active_; }  ///< those there are, ascending
@@ -91,7 +93,8 @@ class Surface {
 
   const discretisation::World& world_;
   std::vector<Face> faces_;
-  std::vector<model::Id> elements_;                // owners of faces, by number
+  std::vector<model::Id> elements_;  // owners of faces, by number
+  std::int64_t version_ = 0;
   std::vector<char> alive_;                        // [element]
   std::vector<char> here_;                         // [face] is it active?
   std::vector<std::int32_t> first_owned_, owned_;  // CSR of faces by element

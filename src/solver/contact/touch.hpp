@@ -16,6 +16,10 @@ struct Touch {
   double depth = 0.0;      ///< how deep a is in b [length]
   double hardening = 0.0;  ///< the force is stiffness depth (1 + hardening depth^2) [1/length^2]
   double stiffness = 0.0;  ///< [force/length]
+  // Faces: the stiffness is multiplied by fade (1 + pokes (cover - 1)).
+  double cover = 1.0;      ///< area of the shared polygon over that of its part behind
+  double pokes = 0.0;      ///< 0 where the faces are parallel, 1 where a corner or an edge pokes
+  double fade = 1.0;       ///< 0 where they hardly look at each other
   double area = 0.0;       ///< [length^2]
   std::int32_t face = -1;  ///< of side b, for messages
   bool reverse = false;    ///< a is on side B of the card
@@ -38,6 +42,7 @@ struct Remembered {
   double friction[3];  ///< last friction force on a [force]
   double offset;       ///< depth that counts as none: initial penetration [length]
   double depth;        ///< of the last step [length]
+  double pokes, fade;  ///< the largest while it was pressed
 };
 
 /// The touches of the step before, sorted by key.
@@ -56,6 +61,7 @@ class Past {
       return nullptr;
     return &*at;
   }
+  std::span<const Remembered> all() const { return list_; }
 
  private:
   std::span<const Remembered> list_;
