@@ -13,6 +13,7 @@
 #include "results/picture_writer.hpp"
 #include "results/recorder.hpp"
 #include "results/tent_picture.hpp"
+#include "solver/interaction.hpp"
 
 namespace cleave::app {
 
@@ -20,8 +21,10 @@ std::unique_ptr<discretisation::World> world_of(Reading& reading) {
   auto world = std::make_unique<discretisation::World>();
   if (discretisation::spacetime::dimension_of(reading.model) > 0)
     world->model = &reading.model;  // its parts have no blocks: the solver makes them computable
-  else
+  else {
+    solver::move_apart(reading.model, reading.diagnostics);
     *world = discretisation::build(reading.model, reading.diagnostics);
+  }
   return world;
 }
 

@@ -33,6 +33,9 @@ std::size_t remember(State& state, const std::string& name, const First& first) 
   return state.memory.size() - 1;
 }
 
+constexpr double contact_growth =
+    0.1;  // energy from a contact, of all that ever came in: it is wrong by then
+
 class Explicit final : public Solver {
  public:
   Explicit(const discretisation::World& world, const Options& options, deck::Diagnostics& diagnostics)
@@ -167,10 +170,11 @@ class Explicit final : public Solver {
     watch_.lap(Phase::loads);
     nodal_.settle(state, a);
     watch_.lap(Phase::update);
-    report_contact(state, now, a);
+    const StepStatus contact = report_contact(state, now, a);
     watch_.lap(Phase::contact);
     balance_energies(state, now, output);
     watch_.lap(Phase::update);
+    if (!contact.ok) return contact;
     return check_health(world_, state, number(state, gross_work), stable.element, a);
   }
 
@@ -230,18 +234,26 @@ class Explicit final : public Solver {
     return status;
   }
 
-  /// What contact is doing, for the observers.
-  void report_contact(State& state, const Moment& now, std::span<const double> a) {
-    if (interactions_.empty()) return;
+  /// What contact is doing, for the observers. Fails where it has created energy.
+  StepStatus report_contact(State& state, const Moment& now, std::span<const double> a) {
+    StepStatus status;
+    if (interactions_.empty()) return status;
+    const double in = std::abs(state.energy.initial) + number(state, gross_work);
     double sliding = 0.0;
     for (std::size_t i = 0; i < interactions_.size(); ++i) {
       base::Array<double>& memory = state.memory[interaction_memory_[i]].values;
       interactions_[i]->settle(now, memory, a);
       interactions_[i]->add_nodal(contact_force_);
       interfaces_[interactions_[i]->contact()] = interactions_[i]->report(memory);
-      sliding += interfaces_[interactions_[i]->contact()].energy();
+      const double taken = interfaces_[interactions_[i]->contact()].energy();
+      sliding += taken;
+      if (status.ok && in > 0.0 && -taken > contact_growth * in)
+        status = interactions_[i]->accuse(
+            now, "created more than a tenth of all energy there is",
+            "bodies go into each other too far in one step: lower TSSFAC, SFSA and SFSB, or refine the mesh");
     }
     if (model_.control.energy.sliding) state.energy.sliding = sliding;
+    return status;
   }
 
   void add_loads(const Moment& now) {

@@ -30,11 +30,17 @@ class Interaction {
   virtual void settle(const Moment& now, base::Array<double>& memory,
                       std::span<const double> acceleration) const = 0;
   virtual InterfaceForce report(std::span<const double> memory) const = 0;
+  /// A failure that names the contact, and the pair that gives its bodies most energy now.
+  virtual discretisation::StepStatus accuse(const Moment& now, std::string what, std::string cause) const = 0;
   /// Adds the forces last added to those of each node [node][3] [force]; for output.
   virtual void add_nodal(std::span<double> force) const = 0;
   /// Sets to zero what add_nodal added to.
   virtual void clear_nodal(std::span<double> force) const = 0;
 };
+
+/// Before anything is computed: moves nodes that penetrate at the start to the surface of the other side, for
+/// contacts with IGNORE 0, and says so. Changes positions of the mesh.
+void move_apart(model::Model& model, deck::Diagnostics& diagnostics);
 
 /// One for each contact that is not a tie of nodes. Faces that lead nowhere, and what penetrates at the
 /// start, are diagnostics.

@@ -28,6 +28,11 @@ std::unique_ptr<Finder> make_segment_finder(std::shared_ptr<Surface> a, std::sha
 std::unique_ptr<Interaction> make_tied_faces(const discretisation::World& world, std::size_t number,
                                              deck::Diagnostics& diagnostics);
 
+/// Moves nodes that penetrate at the start out of the other side, and says which and how far.
+/// @param finders  of nodes against faces
+void move_out(model::Model& model, const model::Contact& contact,
+              const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics);
+
 /// Says which nodes penetrate at the start and how deep; refuses those more than an element below the
 /// surface.
 /// @param finders  of nodes against faces

@@ -125,37 +125,96 @@ void refuse_deep(const model::Model& model, const model::Contact& contact, std::
   }
 }
 
+/// Who penetrates how deep, the deepest first.
+class Listed {
+ public:
+  explicit Listed(const model::Contact& contact) : contact_(contact) {}
+  void add(model::Id node, double depth) { list_.push_back({node, depth}); }
+  bool empty() const { return list_.empty(); }
+
+  /// "3 nodes of contact 1 penetrate at the start, by up to 0.1; node (depth): 7 (0.1), 9 (0.05)".
+  std::string text(std::size_t most) {
+    std::stable_sort(list_.begin(), list_.end(),
+                     [](const One& x, const One& y) { return x.depth > y.depth; });
+    std::string text = std::to_string(list_.size()) + " nodes of contact " + std::to_string(contact_.id) +
+                       " penetrate at the start, by up to " + text_of(list_.front().depth) +
+                       "; node (depth): ";
+    for (std::size_t i = 0; i < std::min(most, list_.size()); ++i)
+      text += (i == 0 ? "" : ", ") + std::to_string(list_[i].node) + " (" + text_of(list_[i].depth) + ")";
+    return text + (list_.size() > most ? " and others" : "");
+  }
+
+ private:
+  struct One {
+    model::Id node;
+    double depth;
+  };
+  const model::Contact& contact_;
+  std::vector<One> list_;
+};
+
+constexpr std::size_t few = 5, many = 100;  // nodes to be listed
+
+/// What the finders see before anything moves.
+struct Start {
+  std::vector<double> still, mass;
+  explicit Start(const model::Model& model)
+      : still(model.mesh.nodes.position.size(), 0.0), mass(model.mesh.nodes.count(), 1.0) {}
+  Moment moment(const model::Model& model) const {
+    return {0.0, 0.0, 0.0, model.mesh.nodes.position, still, mass};
+  }
+};
+
+bool only_lies_on(const Touch& touch) {
+  return touch.depth < 1e-6 * std::sqrt(touch.area);
+}
+
 }  // namespace
+
+void move_out(model::Model& model, const model::Contact& contact,
+              const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics) {
+  const Start start(model);
+  Listed listed(contact);
+  // One side after the other, so that what the first has cleared is not cleared twice.
+  for (const auto& finder : finders) {
+    std::vector<Touch> touches;
+    finder->find(start.moment(model), Past({}), touches);
+    for (const Touch& touch : touches) {
+      if (only_lies_on(touch)) continue;
+      double* x = &model.mesh.nodes.position[3 * static_cast<std::size_t>(touch.a[0])];
+      x[0] += touch.depth * touch.normal.x;
+      x[1] += touch.depth * touch.normal.y;
+      x[2] += touch.depth * touch.normal.z;
+      listed.add(model.mesh.nodes.id[static_cast<std::size_t>(touch.a[0])], touch.depth);
+    }
+  }
+  if (!listed.empty())
+    diagnostics.warning(contact.place, contact.keyword, "IGNORE", listed.text(few),
+                        "they were moved to the surface (IGNORE 0); 1 leaves them where they are");
+}
 
 void report_initial(const model::Model& model, const model::Contact& contact,
                     const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics) {
-  const std::vector<double> still(model.mesh.nodes.position.size(), 0.0), mass(model.mesh.nodes.count(), 1.0);
-  const Moment now{0.0, 0.0, 0.0, model.mesh.nodes.position, still, mass};
+  const Start start(model);
   std::vector<Touch> touches;
   std::vector<Index> known;
-  for (const auto& finder : finders) finder->find(now, Past({}), touches);
-  double deepest = 0.0;
-  std::string listed;
-  std::size_t count = 0;
-  std::sort(touches.begin(), touches.end(), [](const Touch& x, const Touch& y) { return x.depth > y.depth; });
+  for (const auto& finder : finders) finder->find(start.moment(model), Past({}), touches);
+  Listed listed(contact);
   for (const Touch& touch : touches) {
     known.push_back(touch.a[0]);
-    const double size = std::sqrt(touch.area);
-    if (touch.depth < 1e-6 * size) continue;  // they lie on each other
-    ++count;
-    deepest = std::max(deepest, touch.depth);
-    if (count <= 5)
-      listed += (listed.empty() ? "" : ", ") +
-                std::to_string(model.mesh.nodes.id[static_cast<std::size_t>(touch.a[0])]) + " (" +
-                text_of(touch.depth) + ")";
+    if (!only_lies_on(touch))
+      listed.add(model.mesh.nodes.id[static_cast<std::size_t>(touch.a[0])], touch.depth);
   }
   std::sort(known.begin(), known.end());
-  if (count > 0)
-    diagnostics.warning(contact.place, contact.keyword, "IGNORE",
-                        std::to_string(count) + " nodes of contact " + std::to_string(contact.id) +
-                            " penetrate at the start, by up to " + text_of(deepest) +
-                            "; node (depth): " + listed + (count > 5 ? " and others" : ""),
-                        "these depths count as touching: no force comes from them, and nodes are not moved");
+  if (!listed.empty()) {
+    const std::string text = listed.text(contact.ignore == 2 ? many : few);
+    const std::string hint =
+        "these depths count as touching: no force comes from them, and nodes are not moved";
+    if (contact.ignore == 1)
+      diagnostics.note(contact.place, contact.keyword, "IGNORE", text + "; " + hint);
+    else
+      diagnostics.warning(contact.place, contact.keyword, "IGNORE", text, hint);
+  }
   if (contact.search == model::Contact::Search::single) return;
   if (!contact.b.parts.empty()) refuse_deep(model, contact, contact.a.nodes, contact.b, known, diagnostics);
   if (!contact.a.parts.empty() && !contact.b.nodes.empty())

@@ -3,10 +3,61 @@
 #include "solver/contact/finders.hpp"
 
 namespace cleave::solver {
+namespace {
+
+using Search = model::Contact::Search;
+
+/// The surfaces of one contact, and finders between them.
+struct Sides {
+  const model::Model& model;
+  const model::Contact& contact;
+  std::shared_ptr<Surface> a, b;
+  std::vector<Index> only;  ///< nodes of a set; empty: all of surface a
+
+  Sides(const discretisation::World& world, const model::Contact& of, deck::Diagnostics& diagnostics)
+      : model(*world.model), contact(of) {
+    const bool orient = contact.automatic || model.control.contact.orient == 2;
+    const auto surface = [&](const model::ContactSide& side) {
+      return std::make_shared<Surface>(world, contact, side, contact.eroding, orient, diagnostics);
+    };
+    model::ContactSide around = contact.a;  // faces around the nodes of a set: those of all parts
+    if (contact.a.segments.empty()) {
+      only = contact.a.nodes;
+      for (Index p = 0; p < static_cast<Index>(model.parts.size()); ++p) around.parts.push_back(p);
+    }
+    a = surface(around);
+    b = single() ? a : surface(contact.b);
+  }
+  bool single() const { return contact.search == Search::single; }
+  bool empty() const { return a->faces().empty() || b->faces().empty(); }
+
+  /// Nodes of side A against faces of side B; with `both` also the other way round.
+  std::vector<std::unique_ptr<Finder>> by_nodes(bool both) const {
+    const model::ContactControl& control = model.control.contact;
+    std::vector<std::unique_ptr<Finder>> some;
+    some.push_back(
+        make_node_finder({only, a, b, false, single()}, contact, control.stiffness, control.penalty));
+    if (both && !single() && only.empty())
+      some.push_back(make_node_finder({{}, b, a, true, false}, contact, control.stiffness, control.penalty));
+    return some;
+  }
+};
+
+}  // namespace
+
+void move_apart(model::Model& model, deck::Diagnostics& diagnostics) {
+  discretisation::World world;  // the surfaces ask it for no more than the mesh
+  world.model = &model;
+  for (const model::Contact& contact : model.contacts) {
+    if (contact.tied || contact.ignore != 0 || contact.birth > 0.0) continue;
+    deck::Diagnostics said_later;
+    const Sides sides(world, contact, said_later);
+    if (!said_later.failed() && !sides.empty()) move_out(model, contact, sides.by_nodes(true), diagnostics);
+  }
+}
 
 std::vector<std::unique_ptr<Interaction>> make_interactions(const discretisation::World& world,
                                                             deck::Diagnostics& diagnostics) {
-  using Search = model::Contact::Search;
   std::vector<std::unique_ptr<Interaction>> list;
   const model::Model& model = *world.model;
   const model::ContactControl& control = model.control.contact;
@@ -16,36 +67,16 @@ std::vector<std::unique_ptr<Interaction>> make_interactions(const discretisation
       if (contact.offset) list.push_back(make_tied_faces(world, c, diagnostics));
       continue;
     }
-    const bool orient = contact.automatic || control.orient == 2;
-    const auto surface = [&](const model::ContactSide& side) {
-      return std::make_shared<Surface>(world, contact, side, contact.eroding, orient, diagnostics);
-    };
-    model::ContactSide around = contact.a;  // faces around the nodes of a set: those of all parts
-    if (contact.a.segments.empty())
-      for (Index p = 0; p < static_cast<Index>(model.parts.size()); ++p) around.parts.push_back(p);
-    const auto a = surface(around);
-    const auto b = contact.search == Search::single ? a : surface(contact.b);
-
-    const bool single = contact.search == Search::single;
-    const std::vector<Index> only = contact.a.segments.empty() ? contact.a.nodes : std::vector<Index>();
-    const auto by_nodes = [&](bool both) {
-      std::vector<std::unique_ptr<Finder>> some;
-      some.push_back(
-          make_node_finder({only, a, b, false, single}, contact, control.stiffness, control.penalty));
-      if (both)
-        some.push_back(
-            make_node_finder({{}, b, a, true, false}, contact, control.stiffness, control.penalty));
-      return some;
-    };
-    if (a->faces().empty() || b->faces().empty()) continue;  // said already
-    report_initial(model, contact, by_nodes(!single && only.empty()), diagnostics);
+    const Sides sides(world, contact, diagnostics);
+    if (sides.empty()) continue;  // said already
+    report_initial(model, contact, sides.by_nodes(true), diagnostics);
     std::vector<std::unique_ptr<Finder>> finders;
     if (contact.soft == 2)
-      finders.push_back(make_segment_finder(a, b, contact, control.stiffness, control.penalty));
+      finders.push_back(make_segment_finder(sides.a, sides.b, contact, control.stiffness, control.penalty));
     else
-      finders = by_nodes(contact.search == Search::two_way);
+      finders = sides.by_nodes(contact.search == Search::two_way);
     double scale = 0.0, stiffest = 0.0;
-    for (const Surface* one : {a.get(), b.get()})
+    for (const Surface* one : {sides.a.get(), sides.b.get()})
       for (const Face& face : one->faces()) {
         scale = std::max(scale, 1e-3 * face.stiffness * face.thickness);
         stiffest = std::max(stiffest, face.stiffness);

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 
 #include "base/threads.hpp"
 #include "solver/contact/balanced.hpp"
@@ -97,12 +98,12 @@ class Interface final : public Interaction {
     }
     memory[least_step] = std::min(memory[least_step], now.step);
     const Past past(std::span<const double>(memory).subspan(head));
-    std::vector<std::size_t> ends;
+    ends_.clear();
     for (const auto& finder : finders_) {
       finder->find(now, past, touches_);
-      ends.push_back(touches_.size());
+      ends_.push_back(touches_.size());
     }
-    output.status = check(past, ends);
+    output.status = check(now, past);
 
     offsets_.take(past, contact_);
     kept_.resize(touches_.size());
@@ -176,6 +177,17 @@ class Interface final : public Interaction {
     out.touches = (memory.size() - head) / (sizeof(Remembered) / sizeof(double));
     out.deepest = memory[deepest];
     return out;
+  }
+
+  discretisation::StepStatus accuse(const Moment& now, std::string what, std::string cause) const override {
+    std::size_t worst = touches_.size();
+    double most = 0.0;
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const double power = dot(touches_[i].pressure, relative(touches_[i], now.velocity));
+      if (worst == touches_.size() || power > most) most = power, worst = i;
+    }
+    if (worst < touches_.size()) return name_pair(now, worst, what, std::move(cause));
+    return {false, -1, 0, own_name() + ": " + what, std::move(cause)};
   }
 
   void add_nodal(std::span<double> force) const override {
@@ -336,30 +348,53 @@ class Interface final : public Interaction {
   }
 
   /// A touch that went through the solid behind its face ends the run.
-  discretisation::StepStatus check(const Past& past, const std::vector<std::size_t>& ends) const {
-    std::size_t finder = 0;
+  discretisation::StepStatus check(const Moment& now, const Past& past) const {
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      while (i >= ends[finder]) ++finder;
       const Touch& touch = touches_[i];
-      const Face& face = finders_[finder]->face(touch.face);
-      if (touch.depth <= tunnelled * face.thickness || !past.find(touch.key)) continue;
-      const auto& ids = model_.mesh.nodes.id;
-      return {false, face.part, face.element,
-              "contact " + std::to_string(contact_.id) + ": node " +
-                  std::to_string(ids[static_cast<std::size_t>(touch.a[0])]) +
-                  " went through the surface of the element",
-              "the contact is too soft for this load: raise SFSA and SFSB or SLSFAC, or take SOFT 1 or 2"};
+      if (touch.depth <= tunnelled * finder_of(i).face(touch.face).thickness || !past.find(touch.key))
+        continue;
+      return name_pair(
+          now, i, "went through the surface of the element",
+          "the contact is too soft for this load: raise SFSA and SFSB or SLSFAC, or take SOFT 1 or 2");
     }
     return {};
+  }
+  const Finder& finder_of(std::size_t touch) const {
+    std::size_t finder = 0;
+    while (touch >= ends_[finder]) ++finder;
+    return *finders_[finder];
+  }
+  std::string own_name() const {
+    return "contact " + std::to_string(contact_.id) +
+           (contact_.title.empty() ? "" : " (" + contact_.title + ")");
+  }
+  discretisation::StepStatus name_pair(const Moment& now, std::size_t i, const std::string& what,
+                                       std::string cause) const {
+    const Touch& touch = touches_[i];
+    const Finder& finder = finder_of(i);
+    const Face& face = finder.face(touch.face);
+    const Face* of_a = finder.face_of_a(touch);
+    const auto part = [&](Index p) {
+      return "part " + std::to_string(model_.parts[static_cast<std::size_t>(p)].id);
+    };
+    std::string who = "node " + std::to_string(model_.mesh.nodes.id[static_cast<std::size_t>(touch.a[0])]);
+    if (touch.wa[0] != 1.0 && of_a) who = "a face of element " + std::to_string(of_a->element);
+    if (of_a) who += " of " + part(of_a->part);
+    const Vector x = vector_at(now.position, touch.a[0]);
+    char place[96];
+    std::snprintf(place, sizeof place, " at (%.6g, %.6g, %.6g)", x.x, x.y, x.z);
+    return {false, face.part, face.element,
+            own_name() + ": " + who + place + " against " + part(face.part) + " " + what, std::move(cause)};
   }
 
   const model::Model& model_;
   const model::Contact& contact_;
   std::size_t number_;
   std::vector<std::unique_ptr<Finder>> finders_;
-  double force_scale_;          // what a force of this contact may well be [force]
-  double rate_scale_;           // integers per stiffness
-  std::vector<Touch> touches_;  // of the last call
+  double force_scale_;             // what a force of this contact may well be [force]
+  double rate_scale_;              // integers per stiffness
+  std::vector<Touch> touches_;     // of the last call
+  std::vector<std::size_t> ends_;  // of those of each finder
   std::vector<Remembered> kept_;
   Offsets offsets_;
   std::vector<std::int64_t> rates_;  // [node], zero between calls

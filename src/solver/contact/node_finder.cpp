@@ -42,6 +42,11 @@ class NodeFinder final : public Finder {
     return faces_->faces()[static_cast<std::size_t>(number)];
   }
 
+  const Face* face_of_a(const Touch& touch) const override {
+    const auto around = of_nodes_->faces_at(touch.a[0]);
+    return around.empty() ? nullptr : &of_nodes_->faces()[static_cast<std::size_t>(around.front())];
+  }
+
   void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
     if (!near_.hold(now, *of_nodes_, *faces_)) sort(now);
     near_.touches(grain, out, [&](Index node, std::span<const std::int32_t> faces, std::vector<Touch>& to) {

@@ -45,6 +45,10 @@ class SegmentFinder final : public Finder {
     return b_->faces()[static_cast<std::size_t>(number)];
   }
 
+  const Face* face_of_a(const Touch& touch) const override {
+    return &face_a(static_cast<std::int32_t>(touch.key[0]));
+  }
+
   void find(const Moment& now, const Past& past, std::vector<Touch>& out) override {
     if (!near_.hold(now, *a_, *b_)) sort(now);
     near_.touches(grain, out,

@@ -114,6 +114,10 @@ class TiedFaces final : public Interaction {
     return out;
   }
 
+  discretisation::StepStatus accuse(const Moment&, std::string what, std::string cause) const override {
+    return {false, -1, 0, "tied contact " + std::to_string(contact_.id) + ": " + what, std::move(cause)};
+  }
+
   void add_nodal(std::span<double> force) const override {
     for (const Spring& spring : springs_)
       if (active_) add_touch(spring.touch, spring.touch.pressure, force);

@@ -75,7 +75,9 @@ class Finder {
   virtual void erode(std::span<const model::Id> eroded) = 0;
   /// Appends the touches at t_n in the order of their keys; the same for any number of threads.
   virtual void find(const Moment& now, const Past& past, std::vector<Touch>& out) = 0;
-  virtual const Face& face(std::int32_t number) const = 0;
+  virtual const Face& face(std::int32_t number) const = 0;  ///< of side b
+  /// The face on side a, or one around the node there; null where there is none.
+  virtual const Face* face_of_a(const Touch& touch) const = 0;
 };
 
 }  // namespace cleave::solver

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "deck/deck.hpp"
+#include "solver/interaction.hpp"
 #include "solver/solver.hpp"
 
 namespace cleave::solver::test {
@@ -20,16 +21,19 @@ struct DeckRun {
   State state;
   Outcome outcome;
 
-  explicit DeckRun(const std::string& text, std::int64_t stop = 0) {
+  explicit DeckRun(const std::string& text, std::int64_t stop = 0, Observer* observer = nullptr) {
     const deck::Deck deck = deck::Deck::read_text(text + "*END\n", "test.k", {}, diagnostics);
     model = model::build(deck, {}, diagnostics, account);
     if (diagnostics.failed()) return;
+    move_apart(model, diagnostics);
     world = discretisation::build(model, diagnostics);
     const auto solver = make_explicit(world, {stop}, diagnostics);
     if (diagnostics.failed()) return;
     EXPECT_TRUE(discretisation::initialise(world, state).ok);
     Wishes wishes;
-    outcome = solver->advance(state, {}, wishes);
+    std::vector<Observer*> observers;
+    if (observer) observers.push_back(observer);
+    outcome = solver->advance(state, observers, wishes);
   }
   std::string text() const {
     std::string all;
@@ -172,6 +176,87 @@ TEST(Contact, InitialPenetration) {
                    .says(deck::Severity::warning, "penetrate"));
   const DeckRun deep(two(-0.5) + contact("AUTOMATIC_SURFACE_TO_SURFACE", 0));
   EXPECT_TRUE(deep.says(deck::Severity::error, "lies deep in element")) << deep.text();
+}
+
+// IGNORE 0 moves nodes to the surface; 1 and 2 leave them, and 2 lists them with a warning.
+TEST(Contact, IgnoreSaysWhatIsDoneAboutPenetration) {
+  const auto run = [](int ignore) {
+    return DeckRun(head(0.05) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
+                   cube(2, {0.98, 0.15, 0.15}, 0, 0, {0, 0, 0}, 0.0) +
+                   contact("AUTOMATIC_SURFACE_TO_SURFACE", 0) + "0.0\n0," + std::to_string(ignore) + "\n");
+  };
+  const auto deepest = [](const DeckRun& r) {
+    double most = 0.0;  // of cube 1's nodes beyond its own face at 0.5, of cube 2's before 0.48
+    for (std::size_t a = 0; a < r.model.mesh.nodes.count(); ++a) {
+      const double x = r.model.mesh.nodes.position[3 * a];
+      const bool first = r.model.mesh.nodes.id[a] < 2000;
+      if (first ? x > 0.4 : x < 0.6) most = std::max(most, std::abs(x - (first ? 0.5 : 0.48)));
+    }
+    return most;
+  };
+  const DeckRun moved(run(0)), tracked(run(1)), listed(run(2));
+  for (const DeckRun* one : {&moved, &tracked, &listed}) {
+    ASSERT_FALSE(one->diagnostics.failed()) << one->text();
+    EXPECT_LT(one->state.energy.kinetic, 1e-18);
+  }
+  EXPECT_NEAR(deepest(moved), 0.02, 1e-12);
+  EXPECT_EQ(deepest(tracked), 0.0);
+  EXPECT_EQ(deepest(listed), 0.0);
+  EXPECT_TRUE(moved.says(deck::Severity::warning, "penetrate at the start, by up to 0.02")) << moved.text();
+  EXPECT_FALSE(tracked.says(deck::Severity::warning, "penetrate"));
+  EXPECT_TRUE(tracked.says(deck::Severity::note, "penetrate at the start")) << tracked.text();
+  EXPECT_TRUE(listed.says(deck::Severity::warning, "node (depth): ")) << listed.text();
+  EXPECT_FALSE(listed.says(deck::Severity::warning, "and others"));
+}
+
+// Bodies that are far faster than the step allows go deep into springs that nobody pressed: the run stops and
+// names the pair, with the last state kept.
+TEST(Contact, EnergyFromNothingEndsTheRun) {
+  const DeckRun run(head(1.0) + "*CONTROL_TIMESTEP\n0,0.9\n" + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
+                    cube(2, {1.051, 0.1, 0.1}, 0, 0, {-6, 0, 0}, 0.0) +
+                    contact("AUTOMATIC_SURFACE_TO_SURFACE", 0, "", 200.0));
+  EXPECT_EQ(run.outcome.ending, Ending::physics);
+  EXPECT_NE(run.outcome.status.what.find("contact 1: node"), std::string::npos) << run.outcome.status.what;
+  EXPECT_NE(run.outcome.status.what.find("created more than a tenth"), std::string::npos)
+      << run.outcome.status.what;
+  EXPECT_GT(run.outcome.status.element, 0);
+}
+
+// Sharp corners and edges against each other, faces against faces: no node is shot away. Elastic bodies give
+// back at most what they had, so that no node of an equal body may be faster than twice the closing speed; in
+// a corner waves focus, which doubles it once more.
+TEST(Contact, NoNodeShoots) {
+  struct Fastest final : Observer {
+    double speed = 0.0;
+    void look(const Frame& frame) {
+      for (std::size_t i = 0; i < frame.velocity.size(); i += 3)
+        speed = std::max(speed, std::hypot(frame.velocity[i], frame.velocity[i + 1], frame.velocity[i + 2]));
+    }
+    void begin(const Frame&) override {}
+    void after_step(const Frame& frame) override { look(frame); }
+    void finish(const Frame&, Ending, const discretisation::StepStatus&) override {}
+  };
+  const double corner_z = 0.7853981633974483, corner_x = 0.9553166181245093;
+  const struct {
+    const char* name;
+    double z1, x1, z2, x2, gap, across;
+  } poses[] = {{"corner on face", 0.0, 0.0, corner_z, corner_x, 1.4, 0.13},
+               {"corner on corner", corner_z, corner_x, corner_z, corner_x, 1.76, 0.02},
+               {"edge across edge", corner_z, 0.0, 0.0, 0.0, 1.25, 0.4},
+               {"edge on edge", corner_z, 0.0, corner_z, 0.0, 1.45, 0.05}};
+  for (const auto& pose : poses) {
+    Fastest fastest;
+    const DeckRun run(head(1.5) + cube(1, {0, 0, 0}, pose.z1, pose.x1, {0, 0, 0}, 0.0) +
+                          cube(2, {pose.gap, pose.across, 0.07}, pose.z2, pose.x2, {-1.0, 0, 0}, 0.0) +
+                          contact("AUTOMATIC_SURFACE_TO_SURFACE", 2),
+                      0, &fastest);
+    ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+    EXPECT_EQ(run.outcome.ending, Ending::end_time) << pose.name << run.outcome.status.what;
+    EXPECT_GT(run.state.energy.internal + std::abs(run.momentum().y), 1e-5)
+        << "they never met: " << pose.name;
+    EXPECT_LT(fastest.speed, 4.0) << pose.name;
+    EXPECT_NEAR(run.state.energy.ratio(), 1.0, 0.01) << pose.name;
+  }
 }
 
 TEST(Contact, BadInputIsNamed) {
