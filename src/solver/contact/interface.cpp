@@ -7,6 +7,7 @@
 #include "base/threads.hpp"
 #include "solver/contact/balanced.hpp"
 #include "solver/contact/finders.hpp"
+#include "solver/contact/offsets.hpp"
 #include "solver/ordered_sum.hpp"
 
 namespace cleave::solver {
@@ -16,7 +17,8 @@ using base::dot;
 using discretisation::ForceSum;
 
 constexpr std::size_t grain = 256;
-constexpr double tunnelled = 1.0;  // thicknesses behind a face at which a touch has come through
+constexpr double from_outside = 0.2;  // of the depth a step later, below which sides met from outside
+constexpr double tunnelled = 1.0;     // thicknesses behind a face at which a touch has come through
 
 /// Energies taken from the nodes [energy].
 struct Spent {
@@ -27,40 +29,6 @@ struct Spent {
     damping += o.damping;
     return *this;
   }
-};
-
-/// Least offsets of the touches of the step before by face, for faces against faces: sliding bodies hand
-/// their pressure from face to face.
-class Offsets {
- public:
-  static constexpr double none = 1e300;
-
-  void take(const Past& past, const model::Contact& contact) {
-    for (std::vector<double>* side : {&a_, &b_}) std::fill(side->begin(), side->end(), none);
-    if (contact.soft != 2) return;
-    single_ = contact.search == model::Contact::Search::single;
-    for (const Remembered& one : past.all()) {
-      lower(a_, one.key[0], one.offset);
-      lower(single_ ? a_ : b_, one.key[1], one.offset);
-    }
-  }
-  /// The least of both faces; `none` where neither touched anything, and for nodes.
-  double around(const Touch& touch) const {
-    return std::min(at(a_, touch.key[0]), at(single_ ? a_ : b_, touch.key[1]));
-  }
-
- private:
-  static void lower(std::vector<double>& side, double face, double offset) {
-    const auto at = static_cast<std::size_t>(face);
-    if (at >= side.size()) side.resize(at + 1, none);
-    side[at] = std::min(side[at], offset);
-  }
-  static double at(const std::vector<double>& side, std::int64_t face) {
-    const auto at = static_cast<std::size_t>(face);
-    return at < side.size() ? side[at] : none;
-  }
-  std::vector<double> a_, b_;  // [face]
-  bool single_ = false;
 };
 
 class Interface final : public Interaction {
@@ -104,8 +72,8 @@ class Interface final : public Interaction {
       ends_.push_back(touches_.size());
     }
     output.status = check(now, past);
-
     offsets_.take(past, contact_);
+
     kept_.resize(touches_.size());
     std::vector<double> largest((touches_.size() + grain - 1) / grain, 0.0);
     std::vector<double> damped(largest.size(), 0.0);
@@ -214,6 +182,22 @@ class Interface final : public Interaction {
     head
   };
 
+  /// The depth that counts as none. What penetrates at the start counts as touching, and so do sides that
+  /// come to lie behind each other by anything but going into each other: nobody did the work. It does not
+  /// come back once it has left.
+  double offset_of(const Moment& now, const Touch& touch, const Remembered* old, bool first) const {
+    if (old && old->offset < Offsets::none) return std::min(old->offset, touch.depth);
+    if (first) return touch.depth;
+    const double before = std::clamp(depth_before(now, touch), 0.0, touch.depth);
+    if (contact_.soft != 2) return before;
+    // Where two wedges meet, each face also comes to lie over the far side of the other wedge. Such a pair
+    // did not meet from outside, and none around it did: it does not push.
+    const double around = offsets_.around(touch);
+    if (old) return around < Offsets::none ? before : Offsets::none;
+    if (around == Offsets::none && before > from_outside * touch.depth) return Offsets::none;
+    return std::min(around, before);
+  }
+
   /// Forces of a touch; @return what is to be remembered of it.
   Remembered press(const Moment& now, double step, Touch& touch, const Remembered* old, bool first,
                    double& largest_damping) const {
@@ -225,15 +209,7 @@ class Interface final : public Interaction {
                     touch.depth,
                     touch.pokes,
                     touch.fade};
-    // What penetrates at the start counts as touching, and so do sides that come to lie behind each other by
-    // anything but going into each other: nobody did the work. It does not come back once it has left.
-    if (old)
-      kept.offset = std::min(old->offset, touch.depth);
-    else if (first)
-      kept.offset = touch.depth;
-    else
-      kept.offset = std::min(offsets_.around(touch),
-                             std::max(0.0, touch.depth + std::min(approach * now.step_before, 0.0)));
+    kept.offset = offset_of(now, touch, old, first);
     // Nor may a tilt make the spring stiffer while it is let go than it was while it was pressed.
     if (old) {
       const bool pressed = approach < 0.0;
@@ -347,12 +323,18 @@ class Interface final : public Interaction {
     }
   }
 
+  /// How deep a touch was a step ago, as far as the velocity tells; below 0 it was apart.
+  static double depth_before(const Moment& now, const Touch& touch) {
+    return touch.depth + dot(relative(touch, now.velocity), touch.normal) * now.step_before;
+  }
+
   /// A touch that went through the solid behind its face ends the run.
   discretisation::StepStatus check(const Moment& now, const Past& past) const {
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const Touch& touch = touches_[i];
-      if (touch.depth <= tunnelled * finder_of(i).face(touch.face).thickness || !past.find(touch.key))
-        continue;
+      if (touch.depth <= tunnelled * finder_of(i).face(touch.face).thickness) continue;
+      const Remembered* old = past.find(touch.key);
+      if (!old || old->offset == Offsets::none) continue;
       return name_pair(
           now, i, "went through the surface of the element",
           "the contact is too soft for this load: raise SFSA and SFSB or SLSFAC, or take SOFT 1 or 2");

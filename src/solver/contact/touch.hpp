@@ -40,7 +40,7 @@ inline Vector relative(const Touch& touch, std::span<const double> velocity) {
 struct Remembered {
   double key[2];
   double friction[3];  ///< last friction force on a [force]
-  double offset;       ///< depth that counts as none: initial penetration [length]
+  double offset;       ///< depth that counts as none; 1e300: the pair does not push [length]
   double depth;        ///< of the last step [length]
   double pokes, fade;  ///< the largest while it was pressed
 };
