@@ -5,7 +5,9 @@
 #include <deque>
 
 #include "discretisation/formulation.hpp"
+#include "discretisation/rigid/block.hpp"
 #include "model/material/law.hpp"
+#include "model/solid_geometry.hpp"
 
 namespace cleave::discretisation {
 
@@ -34,6 +36,38 @@ const FormulationEntry* formulation_of(const model::Model& model, const model::S
   return entry;
 }
 
+/// Shortest edge over the speed of sound [time]
+double step_if_it_deformed(const model::Part& part, const PartElements& elements) {
+  const auto n = static_cast<std::size_t>(model::nodes_of(elements.shape));
+  std::vector<model::Corner> corner(n);
+  double least = 1.0e30;
+  for (std::size_t e = 0; e < elements.id.size(); ++e) {
+    for (std::size_t a = 0; a < n; ++a) {
+      const double* x =
+          &elements.model.mesh.nodes.position[3 * static_cast<std::size_t>(elements.node[n * e + a])];
+      corner[a] = {x[0], x[1], x[2]};
+    }
+    least = std::min(least, model::shortest_edge(elements.shape, corner));
+  }
+  const double speed = std::sqrt(part.law->longitudinal_modulus() / part.density);
+  return std::isfinite(speed) && speed > 0.0 ? least / speed : 1.0e30;
+}
+
+/// Nodes of a body move with it, and carry what of its mass contact is to see.
+void start_bodies(const World& world, State& state) {
+  for (const RigidBody& body : world.bodies)
+    for (std::size_t i = 0; i < body.node.size(); ++i) {
+      const auto a = static_cast<std::size_t>(body.node[i]);
+      const double* x = &state.position[3 * a];
+      const model::Vector arm = model::Vector{x[0], x[1], x[2]} - body.whole.centre;
+      const model::Vector v = body.velocity + base::cross(body.spin, arm);
+      state.velocity[3 * a] = v.x;
+      state.velocity[3 * a + 1] = v.y;
+      state.velocity[3 * a + 2] = v.z;
+      state.mass[a] = body.node_mass[i];
+    }
+}
+
 }  // namespace
 
 World build(const model::Model& model, deck::Diagnostics& diagnostics) {
@@ -47,7 +81,7 @@ World build(const model::Model& model, deck::Diagnostics& diagnostics) {
                         "a deck is solved in spacetime as a whole or not at all");
   // Parts in the order of the model, shapes in the order of the mesh: one pass over the elements per shape.
   std::vector<std::deque<PartElements>> by_part(model.parts.size());
-  for (const auto& solids : model.mesh.solids) {
+  const auto collect = [&](const model::Elements& solids) {
     const auto per = static_cast<std::size_t>(model::nodes_of(solids.shape));
     std::vector<PartElements*> target(model.parts.size(), nullptr);
     std::vector<bool> met(model.parts.size(), false);
@@ -63,10 +97,19 @@ World build(const model::Model& model, deck::Diagnostics& diagnostics) {
       to.id.push_back(solids.id[e]);
       for (std::size_t a = 0; a < per; ++a) to.node.push_back(solids.node[e * per + a]);
     }
-  }
+  };
+  for (const auto& solids : model.mesh.solids) collect(solids);
+  for (const auto& shells : model.mesh.shells) collect(shells);
   for (std::size_t p = 0; p < by_part.size(); ++p)
     for (const PartElements& elements : by_part[p]) {
       const model::Part& part = model.parts[p];
+      const bool shell = elements.shape == model::Shape::tri3 || elements.shape == model::Shape::quad4;
+      if (part.rigid || (shell && part.section.family == "SHELL")) {
+        if (part.rigid) world.rigid_step = std::min(world.rigid_step, step_if_it_deformed(part, elements));
+        world.blocks.push_back(make_rigid_block(elements));
+        continue;
+      }
+      if (shell) continue;  // of spacetime, which has been said
       const auto* entry = formulation_of(model, part.section, elements.shape);
       if (!entry) {
         diagnostics.error(part.section.place, "SECTION_" + part.section.family, "ELFORM",
@@ -81,6 +124,9 @@ World build(const model::Model& model, deck::Diagnostics& diagnostics) {
       }
       if (auto block = entry->build(elements, diagnostics)) world.blocks.push_back(std::move(block));
     }
+  world.bodies = make_bodies(model, world.blocks, diagnostics);
+  if (!world.bodies.empty())
+    world.body_of_node = model::body_of_nodes(model.rigid_bodies, world.node_count());
   return world;
 }
 
@@ -112,6 +158,7 @@ StepStatus initialise(const World& world, State& state) {
   }
   for (const model::PointMass& point : model.point_masses)
     state.mass[static_cast<std::size_t>(point.node)] += point.mass;
+  start_bodies(world, state);
   return status;
 }
 

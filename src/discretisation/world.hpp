@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "discretisation/block.hpp"
+#include "discretisation/rigid/body.hpp"
 
 namespace cleave::discretisation {
 
 struct World {
   const model::Model* model = nullptr;
   std::vector<std::unique_ptr<const Block>> blocks;
+  std::vector<RigidBody> bodies;    ///< one per Model::rigid_bodies
+  std::vector<Index> body_of_node;  ///< [node], -1 for none; empty without bodies
+  double rigid_step = 1.0e30;       ///< that the rigid elements would have if they deformed [time]
   std::size_t node_count() const { return model->mesh.nodes.count(); }
 };
 

@@ -19,6 +19,7 @@ void finish_parts(Draft& draft);
 void finish_velocities(Draft& draft);
 void finish_sets(Draft& draft);
 void finish_stresses(Draft& draft);
+void finish_rigid(Draft& draft);
 
 namespace {
 
@@ -135,6 +136,7 @@ Model build(const deck::Deck& deck, const BuildOptions& options, deck::Diagnosti
   finish_parts(draft);
   build_laws(draft);
   for (const auto& act : draft.when_laws_known) act();
+  finish_rigid(draft);
   finish_velocities(draft);
   finish_sets(draft);
   finish_stresses(draft);

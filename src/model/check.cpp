@@ -82,7 +82,7 @@ void check_thin_elements(const Model& model, const deck::Deck& deck, deck::Diagn
         const bool bar = group.shape == Shape::line2;
         const double size = volume(group.shape, {x.data(), static_cast<std::size_t>(n)});
         if (!(size > 0.0) || (!bar && size <= 1e-12 * longest)) flat[bar].push_back(group.id[e]);
-        if (bar) continue;
+        if (bar || spacetime_dimension(model.parts[group.part[e]].section) == 0) continue;
         double twice = 0.0;  // area seen from above
         for (int a = 1; a + 1 < n; ++a) twice += base::cross(x[a] - x[0], x[a + 1] - x[0]).z;
         ++total[group.part[e]];
@@ -114,11 +114,14 @@ void check_nodes(const Model& model, const deck::Deck& deck, deck::Diagnostics& 
   for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
     for (const Elements& group : *groups)
       for (const Index i : group.node) massive[i] = 1;
+  const std::vector<Index> body_at = body_of_nodes(model.rigid_bodies, massive.size());
   std::vector<Id> alone;
   for (std::size_t i = 0; i < massive.size(); ++i)
-    if (!massive[i]) alone.push_back(model.mesh.nodes.id[i]);
+    if (!massive[i] && body_at[i] < 0) alone.push_back(model.mesh.nodes.id[i]);
   for (const PointMass& m : model.point_masses)
     if (m.mass > 0.0) massive[m.node] = 1;
+  for (const RigidBody& body : model.rigid_bodies)
+    for (const Index i : body.nodes) massive[i] = 1;
 
   std::vector<Id> loaded;
   const auto look = [&](Index i) {

@@ -12,6 +12,7 @@
 #include "model/mesh.hpp"
 #include "model/part.hpp"
 #include "model/request.hpp"
+#include "model/rigid.hpp"
 
 namespace cleave::model {
 
@@ -41,6 +42,9 @@ struct Model {
   std::vector<BodyLoad> body_loads;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;
+  std::vector<RigidBody> rigid_bodies;
+  std::vector<RigidMotion> rigid_motions;
+  std::vector<RigidLoad> rigid_loads;
   std::vector<AbsorbingFaces> absorbing;
   std::vector<Precrack> precracks;
   std::vector<IncidentWave> incident_waves;

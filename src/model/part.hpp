@@ -14,6 +14,8 @@ namespace cleave::model {
 
 class Law;
 struct Elasticity;
+struct RigidMaterial;
+struct RigidInertia;
 
 /// What *SECTION_* says, format neutral: family ("SOLID", "SOLID_EFG", ...), ELFORM and further numbers by
 /// name.
@@ -55,6 +57,9 @@ struct Part {
   std::shared_ptr<const Law> law;    ///< with its equation of state and erosion criteria inside
   /// Linear elastic constants; of spacetime parts, which have no law if they are not isotropic.
   std::shared_ptr<const Elasticity> elastic;
+  /// Of a part that does not deform: *MAT_RIGID, and *PART_INERTIA if that is given. Null otherwise.
+  std::shared_ptr<const RigidMaterial> rigid;
+  std::shared_ptr<const RigidInertia> inertia;
   double density = 0.0;  ///< reference [mass/length^3]
   Hourglass hourglass;
   double mass_damping = 0.0;      ///< *DAMPING_PART_MASS value when constant (curve below) [1/time]

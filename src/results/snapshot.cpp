@@ -63,9 +63,21 @@ Masses::Masses(const discretisation::World& world, std::span<const solver::PartM
         parts_[p].total += of_part[p][a];
         elements_[a] += of_part[p][a];
       }
+  for (const discretisation::RigidBody& body : world.bodies) {
+    rigid_.resize(elements_.size(), 0);
+    for (const model::Index a : body.node) rigid_[static_cast<std::size_t>(a)] = 1;
+    for (std::size_t k = 0; k < body.part.size(); ++k) {
+      Part& part = parts_[static_cast<std::size_t>(body.part[k])];
+      part.node.clear();
+      part.mass.clear();
+      part.total = body.of_part[k].mass;
+    }
+    total_ += body.whole.mass;
+  }
   for (const model::PointMass& point : world.model->point_masses)
     points_[static_cast<std::size_t>(point.node)] += point.mass;
-  for (std::size_t a = 0; a < elements_.size(); ++a) total_ += elements_[a] + points_[a];
+  for (std::size_t a = 0; a < elements_.size(); ++a)
+    if (!rigid(a)) total_ += elements_[a] + points_[a];
   for (std::size_t p = 0; p < motion.size(); ++p) {
     parts_[p].total = motion[p].mass;
     total_ += motion[p].mass;
@@ -85,7 +97,12 @@ const Motion& Snapshot::whole() const {
     const double* mass = state().mass.data();
     whole_ = sum(
         state().mass.size(), frame_.velocity, [](std::size_t a) { return a; },
-        [mass](std::size_t a) { return mass[a]; });
+        [&](std::size_t a) { return masses_.rigid(a) ? 0.0 : mass[a]; });
+    for (const solver::BodyMotion& body : frame_.bodies) {
+      whole_.mass += body.mass;
+      for (int k = 0; k < 3; ++k) whole_.momentum[k] += body.mass * body.velocity[k];
+      whole_.kinetic += body.kinetic;
+    }
     have_whole_ = true;
   }
   return whole_;
@@ -102,12 +119,39 @@ const std::vector<Motion>& Snapshot::parts() const {
     const auto node_of = [&](std::size_t i) { return static_cast<std::size_t>(part.node[i]); };
     const auto mass_of = [&](std::size_t i) {
       const std::size_t a = node_of(i);
-      if (now[a] == elements[a] + points[a]) return part.mass[i];
+      if (masses_.rigid(a) || now[a] == elements[a] + points[a]) return part.mass[i];
       return std::max(0.0, now[a] - points[a]) * (part.mass[i] / elements[a]);
     };
     parts_.push_back(sum(part.node.size(), frame_.velocity, node_of, mass_of));
   }
+  const auto& bodies = frame_.world.bodies;
+  for (std::size_t b = 0; b < frame_.bodies.size(); ++b)
+    for (std::size_t k = 0; k < bodies[b].part.size(); ++k)
+      parts_[static_cast<std::size_t>(bodies[b].part[k])] = of_rigid(b, k);
   return parts_;
+}
+
+Motion Snapshot::of_rigid(std::size_t b, std::size_t part) const {
+  using base::cross;
+  using model::Vector;
+  const discretisation::RigidBody& fixed = frame_.world.bodies[b];
+  const solver::BodyMotion& body = frame_.bodies[b];
+  const discretisation::RigidMass& own = fixed.of_part[part];
+  const auto vector = [](const double(&v)[3]) { return Vector{v[0], v[1], v[2]}; };
+  const Vector u{body.quaternion[1], body.quaternion[2], body.quaternion[3]};
+  const auto turned = [&](const Vector& r, double sign) {
+    const Vector c = cross(sign * u, r);
+    return r + 2.0 * (body.quaternion[0] * c + cross(sign * u, c));
+  };
+  const Vector spin = vector(body.spin), at_start = turned(spin, -1.0);
+  const Vector v = vector(body.velocity) + cross(spin, turned(own.centre - fixed.whole.centre, 1.0));
+  const auto& t = own.tensor;
+  const Vector l{t.xx * at_start.x + t.xy * at_start.y + t.zx * at_start.z,
+                 t.xy * at_start.x + t.yy * at_start.y + t.yz * at_start.z,
+                 t.zx * at_start.x + t.yz * at_start.y + t.zz * at_start.z};
+  return {own.mass,
+          {own.mass * v.x, own.mass * v.y, own.mass * v.z},
+          0.5 * (own.mass * dot(v, v) + dot(at_start, l))};
 }
 
 const discretisation::Memory* find_memory(const discretisation::State& state, std::string_view name) {

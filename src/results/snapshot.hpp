@@ -30,8 +30,11 @@ class Masses {
   const std::vector<double>& elements() const { return elements_; }  ///< of all parts [node] [mass]
   const std::vector<double>& points() const { return points_; }      ///< *ELEMENT_MASS [node] [mass]
   double total() const { return total_; }
+  /// Is this node one of a rigid body? Its mass then counts with the body.
+  bool rigid(std::size_t node) const { return !rigid_.empty() && rigid_[node] != 0; }
 
  private:
+  std::vector<char> rigid_;  // [node], empty without bodies
   std::vector<Part> parts_;
   std::vector<double> elements_, points_;
   double total_ = 0.0;
@@ -58,6 +61,9 @@ class Snapshot {
 
  private:
   const solver::Frame& frame_;
+  /// A part of a rigid body: its share of the body's motion.
+  Motion of_rigid(std::size_t body, std::size_t part) const;
+
   const Masses& masses_;
   mutable bool have_whole_ = false;
   mutable Motion whole_;

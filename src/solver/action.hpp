@@ -63,8 +63,9 @@ class Load {
 
 /// Where constraints say what they did.
 struct Reactions {
-  std::span<double> held;        ///< [node][3] forces that hold nodes, zero on entry [force]
-  std::vector<WallForce> walls;  ///< in the order of Model::walls
+  std::span<double> held;               ///< [node][3] forces that hold nodes, zero on entry [force]
+  std::vector<WallForce> walls;         ///< in the order of Model::walls
+  std::vector<BodyMotion> bodies = {};  ///< in the order of Model::rigid_bodies
 };
 
 /// Corrects the acceleration of some nodes so that the velocity at t_n + step / 2 is admissible.
@@ -81,6 +82,12 @@ class Constraint {
   virtual Halves work(const Moment& now, std::span<const double> memory,
                       std::span<const double> acceleration) const = 0;
   virtual void report(std::span<const double> memory, Reactions& reactions) const = 0;
+  /// Kinetic energy at t_n beyond that of the masses of its nodes, after correct() [energy].
+  virtual double kinetic(const Moment&, std::span<const double>, std::span<const double>) const {
+    return 0.0;
+  }
+  /// The longest step after t_n that it can take [time].
+  virtual double largest_step(std::span<const double>) const { return 1.0e30; }
 };
 
 std::vector<std::unique_ptr<Load>> make_loads(const model::Model& model);

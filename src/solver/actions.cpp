@@ -19,6 +19,7 @@ std::vector<std::unique_ptr<Constraint>> make_constraints(const discretisation::
   add_tied_nodes(world, list, diagnostics);
   add_rigid_walls(*world.model, list, diagnostics);
   add_held_nodes(*world.model, list, diagnostics);
+  add_rigid_bodies(world, list);
   return list;
 }
 

@@ -20,6 +20,8 @@ Erosion::Erosion(const discretisation::World& world, const State& state)
       for (const auto node : nodes.subspan(width * e, width)) ++elements_of_[static_cast<std::size_t>(node)];
     }
   }
+  for (const discretisation::RigidBody& body : world.bodies)  // its nodes stay whatever they lose
+    for (const auto node : body.node) ++elements_of_[static_cast<std::size_t>(node)];
   if (world.model->point_masses.empty()) return;
   point_mass_.resize(world.node_count());
   for (const auto& point : world.model->point_masses)
@@ -28,6 +30,7 @@ Erosion::Erosion(const discretisation::World& world, const State& state)
 
 void Erosion::find_elements() {
   for (std::size_t b = 0; b < world_.blocks.size(); ++b) {
+    if (world_.blocks[b]->formulation() == "rigid") continue;  // shells may have the numbers of solids
     const auto ids = world_.blocks[b]->element_ids();
     for (std::size_t e = 0; e < ids.size(); ++e) element_.emplace(ids[e], Where{b, e});
   }

@@ -56,7 +56,8 @@ class Explicit final : public Solver {
     loaded_.erase(std::unique(loaded_.begin(), loaded_.end()), loaded_.end());
     if (!loaded_.empty()) external_.resize(3 * world.node_count());
     held_.resize(3 * world.node_count());
-    reactions_ = {held_, std::vector<WallForce>(model_.walls.size())};
+    reactions_ = {held_, std::vector<WallForce>(model_.walls.size()),
+                  std::vector<BodyMotion>(world.bodies.size())};
     interfaces_.resize(model_.contacts.size());
     if (!interactions_.empty()) contact_force_.resize(3 * world.node_count());
   }
@@ -148,7 +149,10 @@ class Explicit final : public Solver {
     erosion_->remove(eroded_, state);
     StableStep stable{output.stable_step, output.stable_element};
     if (scaling_.active()) scaling_.apply(state, factors(state), start, stable);
-    state.next_step = choose_step(model_, state, stable);
+    state.next_step = choose_step(model_, state, or_rigid(stable));
+    for (std::size_t c = 0; c < constraints_.size(); ++c)
+      state.next_step = std::min(state.next_step,
+                                 constraints_[c]->largest_step(state.memory[constraint_memory_[c]].values));
     if (const StepStatus status = add_contact(state, stable); !status.ok) return status;
     state.largest_force = internal_.largest();
     if (start) state.first_step = state.next_step;
@@ -176,6 +180,11 @@ class Explicit final : public Solver {
     watch_.lap(Phase::update);
     if (!contact.ok) return contact;
     return check_health(world_, state, number(state, gross_work), stable.element, a);
+  }
+
+  /// Where nothing deforms: the step the rigid elements would have if they did.
+  StableStep or_rigid(const StableStep& stable) const {
+    return stable.step < 1.0e29 ? stable : StableStep{world_.rigid_step, stable.element};
   }
 
   /// Visits every block once; collects energies of the parts and the elements deleted.
@@ -295,6 +304,8 @@ class Explicit final : public Solver {
     energy.kinetic = nodal_.kinetic() + energy.eroded_kinetic;
 
     const std::span<const double> a = acceleration(state);
+    for (std::size_t c = 0; c < constraints_.size(); ++c)
+      energy.kinetic += constraints_[c]->kinetic(now, state.memory[constraint_memory_[c]].values, a);
     Halves work = work_of_loads(now, a);
     double gross = std::abs(work.before.external) + std::abs(work.after.external);
     for (std::size_t c = 0; c < constraints_.size(); ++c) {
@@ -328,7 +339,8 @@ class Explicit final : public Solver {
             {},
             {},
             interfaces_,
-            contact_force_};
+            contact_force_,
+            reactions_.bodies};
   }
 
   std::span<double> acceleration(State& state) const { return state.memory[acceleration_].values; }

@@ -45,6 +45,19 @@ struct PartMotion {
   double kinetic = 0.0;            ///< [energy]
 };
 
+/// A rigid body at t_n; vectors in global axes.
+struct BodyMotion {
+  double position[3] = {0, 0, 0}, displacement[3] = {0, 0, 0};  ///< of the centre [length]
+  double velocity[3] = {0, 0, 0};                               ///< of the centre [length/time]
+  double acceleration[3] = {0, 0, 0};                           ///< of the centre [length/time^2]
+  double quaternion[4] = {1, 0, 0, 0};                          ///< of the rotation since the start
+  double spin[3] = {0, 0, 0};                                   ///< angular velocity [1/time]
+  double spin_rate[3] = {0, 0, 0};                              ///< angular acceleration [1/time^2]
+  double momentum[3] = {0, 0, 0};                               ///< angular, about the centre
+  double force[3] = {0, 0, 0}, moment[3] = {0, 0, 0};           ///< that hold or drive the body [force]
+  double mass = 0.0, kinetic = 0.0;                             ///< [mass] [energy]
+};
+
 /// Fields on cells of their own, each with its own points, for solvers whose fields jump between elements.
 struct CellFields {
   int dimension = 0;                        ///< of the cells, which are simplices: 1, 2 or 3
@@ -125,6 +138,7 @@ struct Frame {
   std::function<void()> save = {};  ///< brings State::memory up to date before it is saved; empty: it is
   std::span<const InterfaceForce> interfaces = {};  ///< one per Model::contacts
   std::span<const double> contact_force = {};       ///< [node][3] of all contacts; empty without any [force]
+  std::span<const BodyMotion> bodies = {};          ///< one per Model::rigid_bodies
   std::span<const CrackOpening> cracks = {};        ///< the same nodes and sides in all frames of a run
   /// Brings what is wanted (bits of Wanted) up to t_n; empty: everything is there. Nothing of it moves in
   /// memory.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "model/keyword/entry.hpp"
+#include "model/keyword/rigid_draft.hpp"
 #include "model/keyword/set_book.hpp"
 #include "model/model.hpp"
 
@@ -45,6 +46,8 @@ class Draft {
   SetBook<Index> node_sets, part_sets;
   SetBook<Id> solid_sets;
   SetBook<Segment> segment_sets;
+
+  RigidDraft rigid;
 
   bool transformations_read = false;  ///< are all *DEFINE_TRANSFORMATION known?
   bool first_of_block = true;         ///< is the card being taken the first of its block?

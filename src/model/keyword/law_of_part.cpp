@@ -7,6 +7,7 @@
 #include "model/keyword/handler.hpp"
 #include "model/keyword/honoured.hpp"
 #include "model/keyword/orthotropic.hpp"
+#include "model/keyword/rigid_cards.hpp"
 #include "model/material/eos.hpp"
 #include "model/material/erosion.hpp"
 #include "model/material/law.hpp"
@@ -78,6 +79,7 @@ class LawBuilder {
     const auto [at, fresh] = laws_.try_emplace({part.material_id, part.state_id});
     if (fresh) at->second = make(part, part_entry, entry);
     part.law = at->second;
+    if (entry.keyword() == "MAT_RIGID" && part.law) part.rigid = read_rigid_material(draft_, entry);
   }
 
  private:

@@ -3,6 +3,7 @@
 #include "deck/layout.hpp"
 #include "model/keyword/handler.hpp"
 #include "model/keyword/local_space.hpp"
+#include "model/keyword/rigid_cards.hpp"
 
 namespace cleave::model {
 namespace {
@@ -107,7 +108,34 @@ void take_part(Draft& draft, const Entry& entry) {
   draft.model.parts.push_back(std::move(part));
 }
 
+/// *PART_INERTIA: a part whose mass properties are stated.
+void take_part_inertia(Draft& draft, const Entry& entry) {
+  const std::size_t count = draft.model.parts.size();
+  take_part(draft, entry);
+  if (draft.model.parts.size() == count) return;
+  if (auto stated = read_inertia(draft, entry)) {
+    draft.model.parts.back().inertia = stated;
+    draft.rigid.inertia.emplace(static_cast<Index>(count), entry);
+  }
+}
+
+/// *SECTION_SHELL: rigid shells have a thickness and a mass; shells that deform are refused with their part.
+void take_shell_section(Draft& draft, const Entry& entry) {
+  take_section(draft, entry);
+  const double thickness = entry.real("T1", a_length);
+  for (const std::string_view corner : {"T2", "T3", "T4"})
+    if (const double t = entry.real(corner, a_length); t != 0.0 && t != thickness)
+      draft.refuse(entry, corner, "a thickness that changes over the shell", "give T1 alone");
+  if (thickness < 0.0) draft.error(entry, "T1", "a thickness must be above 0");
+}
+
 constexpr Handler handlers[] = {
+    {.keyword = "SECTION_SHELL",
+     .phase = Phase::definition,
+     .honoured = "TITLE SECID ELFORM T1 T2 T3 T4 MAREA",
+     .harmless = "SHRF NIP PROPT QR ICOMP SETYP IDOF EDGSET ANGLE",
+     .take = take_shell_section,
+     .remark = "rigid shells, and shells held in all directions; others are refused"},
     {.keyword = "SECTION_SOLID",
      .phase = Phase::definition,
      .honoured = "TITLE SECID ELFORM",
@@ -145,6 +173,14 @@ constexpr Handler handlers[] = {
      .honoured = "HEADING PID SECID MID EOSID HGID",
      .harmless = "TMID",
      .take = take_part},
+    {.keyword = "PART_INERTIA",
+     .phase = Phase::part,
+     .honoured =
+         "HEADING PID SECID MID EOSID HGID XC YC ZC TM IRCS NODEID IXX IXY IXZ IYY IYZ IZZ VTX VTY VTZ "
+         "VRX VRY VRZ XL YL ZL XLIP YLIP ZLIP CID",
+     .harmless = "TMID",
+     .take = take_part_inertia,
+     .remark = "of rigid parts"},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
-/// *ELEMENT_SHELL and *ELEMENT_BEAM of spacetime parts.
+/// *ELEMENT_SHELL of spacetime parts and of parts that do not deform, *ELEMENT_BEAM of spacetime parts.
 ///
-/// A deck without a section of spacetime parts has these elements refused as a whole, unread.
+/// A deck without a section that could use them has these elements refused as a whole, unread. Which shells
+/// of *SECTION_SHELL are computed is known once the materials and supports are (finish_rigid).
 
 #include <algorithm>
 
@@ -12,11 +13,16 @@ namespace cleave::model {
 namespace {
 
 constexpr std::string_view instead =
-    "shells and beams are computed in spacetime only: *SECTION_SHELL_SDG, _BEAM_SDG";
+    "rigid shells are computed (*MAT_RIGID), and shells and beams in spacetime: *SECTION_SHELL_SDG, "
+    "_BEAM_SDG";
+
+bool takes(const Section& section, int dimension) {
+  return spacetime_dimension(section) == dimension || (dimension == 2 && section.family == "SHELL");
+}
 
 bool has_section(const Draft& draft, int dimension) {
   return std::any_of(draft.sections.begin(), draft.sections.end(),
-                     [&](const auto& item) { return spacetime_dimension(item.second) == dimension; });
+                     [&](const auto& item) { return takes(item.second, dimension); });
 }
 
 class Collector {
@@ -30,7 +36,7 @@ class Collector {
     const Id element = row.integer(0) + transform.element_offset;
     const Index part = part_of(row.integer(1) + transform.part_offset, row);
     if (part < 0) return;
-    if (spacetime_dimension(draft_.model.parts[part].section) != dimension_) {
+    if (!takes(draft_.model.parts[part].section, dimension_)) {
       if (!refused_)
         draft_.refuse(row.place(1), block_.keyword, "PID",
                       "not computed here: part " + std::to_string(draft_.model.parts[part].id) +
@@ -146,7 +152,7 @@ constexpr Handler handlers[] = {
      .phase = Phase::element,
      .honoured = "EID PID N1 N2 N3 N4",
      .stream = take_elements<2>,
-     .remark = "triangles and quadrilaterals of spacetime parts (*SECTION_SHELL_SDG); others are refused"},
+     .remark = "of parts that do not deform and of spacetime parts (*SECTION_SHELL_SDG); others are refused"},
 };
 }  // namespace
 extern const Family shell_cards{handlers};

@@ -52,8 +52,6 @@ constexpr Rule rules[] = {
 
     // Physics that is not computed, with what to do instead.
     {"AIRBAG_*", Policy::refused, "apply a pressure by *LOAD_SEGMENT_SET"},
-    {"BOUNDARY_PRESCRIBED_MOTION_RIGID*", Policy::refused,
-     "there are no rigid bodies; move the nodes of a set"},
     {"CONSTRAINED_*", Policy::refused, "merge the nodes, or hold them by *BOUNDARY_SPC"},
     {"CONTACT_*", Policy::refused,
      "this kind of contact is not computed; see the page on contact for those that are"},
@@ -62,7 +60,7 @@ constexpr Rule rules[] = {
     {"CONTROL_REMESH*", Policy::refused, "the mesh is not rebuilt during the run"},
     {"CONTROL_THERMAL*", Policy::refused, "heat conduction is not computed"},
     {"DAMPING_FREQUENCY_RANGE*", Policy::refused, "use *DAMPING_PART_MASS or *DAMPING_PART_STIFFNESS"},
-    {"ELEMENT_SHELL*", Policy::refused, "solids are computed, and *ELEMENT_SHELL in spacetime"},
+    {"ELEMENT_SHELL*", Policy::refused, "rigid shells and spacetime parts are computed, by *ELEMENT_SHELL"},
     {"ELEMENT_BEAM*", Policy::refused, "solids are computed, and *ELEMENT_BEAM in spacetime"},
     {"ELEMENT_*", Policy::refused, "only *ELEMENT_SOLID and *ELEMENT_MASS are computed"},
 };

@@ -158,6 +158,12 @@ class Dashpots final : public Constraint {
   void report(std::span<const double>, Reactions&) const override {}
 
  private:
+  /// Rigid bodies are damped as bodies.
+  void drop_rigid(std::vector<Index>& nodes) const {
+    if (world_.body_of_node.empty()) return;
+    std::erase_if(nodes, [&](Index a) { return world_.body_of_node[static_cast<std::size_t>(a)] >= 0; });
+  }
+
   void collect_nodes() {
     std::vector<std::vector<Index>> of_part(model_.parts.size());
     for (std::size_t p = 0; p < model_.parts.size(); ++p) {
@@ -167,6 +173,7 @@ class Dashpots final : public Constraint {
           of_part[p].insert(of_part[p].end(), block->connectivity().begin(), block->connectivity().end());
       std::sort(of_part[p].begin(), of_part[p].end());
       of_part[p].erase(std::unique(of_part[p].begin(), of_part[p].end()), of_part[p].end());
+      drop_rigid(of_part[p]);
       nodes_.insert(nodes_.end(), of_part[p].begin(), of_part[p].end());
     }
     for (const model::AbsorbingFaces& faces : model_.absorbing)
@@ -177,6 +184,7 @@ class Dashpots final : public Constraint {
     }
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    drop_rigid(nodes_);
     for (std::size_t p = 0; p < of_part.size(); ++p)
       for (const Index node : of_part[p]) shares_.push_back({slot_of(node), static_cast<Index>(p)});
   }

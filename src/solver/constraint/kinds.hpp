@@ -15,6 +15,7 @@ void add_tied_nodes(const discretisation::World& world, ConstraintList& list, de
 void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
 std::unique_ptr<Constraint> make_geometric_wall(const model::Model& model, std::size_t number,
                                                 deck::Diagnostics& diagnostics);
+void add_rigid_bodies(const discretisation::World& world, ConstraintList& list);
 void add_held_nodes(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
 
 }  // namespace cleave::solver

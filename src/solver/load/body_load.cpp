@@ -14,6 +14,7 @@ using model::Vector;
 
 class BodyForce final : public Load {
  public:
+  /// Nodes of rigid bodies are left out: the bodies know their mass better (rigid_bodies.cpp).
   BodyForce(const model::Model& model, const BodyLoad& load) : model_(model), load_(load) {
     if (load.nodes.empty()) {
       nodes_.resize(model.mesh.nodes.count());
@@ -22,6 +23,9 @@ class BodyForce final : public Load {
       for (std::size_t a = 0; a < load.nodes.size(); ++a)
         if (load.nodes[a]) nodes_.push_back(static_cast<Index>(a));
     }
+    if (model.rigid_bodies.empty()) return;
+    const auto body = model::body_of_nodes(model.rigid_bodies, model.mesh.nodes.count());
+    std::erase_if(nodes_, [&](Index a) { return body[static_cast<std::size_t>(a)] >= 0; });
   }
 
   std::vector<Index> nodes() const override { return nodes_; }

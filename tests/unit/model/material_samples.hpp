@@ -24,6 +24,8 @@ inline std::vector<Sample> samples() {
   std::vector<Sample> s;
   s.push_back({"MAT_ELASTIC", "plain", "*MAT_ELASTIC\n1,7.8e-9,210000,0.3\n"});
 
+  s.push_back({"MAT_RIGID", "what contact sees", "*MAT_RIGID\n1,7.8e-9,210000,0.3\n0,0,0\n0,0,0,0,0,0\n"});
+
   const std::string kinematic = "*MAT_PLASTIC_KINEMATIC\n1,7.8e-9,210000,0.3,300,1000,";
   s.push_back({"MAT_PLASTIC_KINEMATIC", "isotropic", kinematic + "1.0\n0,0,0,0\n"});
   s.push_back({"MAT_PLASTIC_KINEMATIC", "kinematic", kinematic + "0.0\n0,0,0,0\n"});
