@@ -30,7 +30,7 @@ from pathlib import Path
 
 # The history file an entity is looked up in; without an entity it is glstat.
 HISTORY = {"element": "elout", "node": "nodout", "part": "matsum", "wall": "rwforc", "support": "spcforc",
-           "contact": "rcforc"}
+           "contact": "rcforc", "body": "rbdout"}
 REDUCTIONS = {"max": max, "min": min, "range": lambda v: max(v) - min(v), "peak": lambda v: max(map(abs, v))}
 TOLERANCES = ("exact", "roundoff", "order", "model")
 DIRECTIVES = ("case", "source", "expect", "expect-fail", "order", "analyse", "vary", "options", "slow")

@@ -58,6 +58,8 @@ struct ContactControl {
   int penalty = 1;         ///< PENOPT: 1 the softer side, 2 side B, 3 side A
   int orient = 1;          ///< ORIEN: 1 faces of parts, 2 sets of faces too, 3 none
   int ignore = 0;          ///< IGNORE where the contact gives none
+  int shell_thickness =
+      0;  ///< SHLTHK: 0 automatic contacts alone see shells thick, 1 all but rigid ones, 2 all
 };
 
 }  // namespace cleave::model

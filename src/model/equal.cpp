@@ -99,7 +99,8 @@ bool same(const Part& a, const Part& b) {
          same_law(a.law.get(), b.law.get()) && same_elastic(a.elastic.get(), b.elastic.get()) &&
          a.density == b.density && same(a.hourglass, b.hourglass) && a.mass_damping == b.mass_damping &&
          a.mass_damping_curve == b.mass_damping_curve && same(a.mass_damping_factor, b.mass_damping_factor) &&
-         a.stiffness_damping == b.stiffness_damping;
+         a.stiffness_damping == b.stiffness_damping && (a.rigid != nullptr) == (b.rigid != nullptr) &&
+         (a.inertia != nullptr) == (b.inertia != nullptr);
 }
 bool same(const FixedNodes& a, const FixedNodes& b) {
   return a.id == b.id && a.title == b.title && same(a.nodes, b.nodes) && a.directions == b.directions &&
@@ -135,6 +136,34 @@ bool same(const RigidWall& a, const RigidWall& b) {
          close(a.motion_direction, b.motion_direction) && a.birth == b.birth && a.death == b.death &&
          a.soft_cycles == b.soft_cycles;
 }
+bool same(const base::Sym3<double>& a, const base::Sym3<double>& b) {
+  return a.xx == b.xx && a.yy == b.yy && a.zz == b.zz && a.xy == b.xy && a.yz == b.yz && a.zx == b.zx;
+}
+bool same(const RigidInertia& a, const RigidInertia& b) {
+  return same(a.centre, b.centre) && a.node == b.node && a.mass == b.mass && same(a.tensor, b.tensor) &&
+         same(a.velocity, b.velocity) && same(a.spin, b.spin);
+}
+bool same(const RigidHold& a, const RigidHold& b) {
+  return a.directions == b.directions && a.local == b.local && same(a.frame, b.frame);
+}
+bool same(const RigidBody& a, const RigidBody& b) {
+  return a.id == b.id && a.title == b.title && a.parts == b.parts && a.nodes == b.nodes &&
+         a.extra == b.extra && a.added == b.added && same(a.hold, b.hold) && a.has_axes == b.has_axes &&
+         same(a.axes, b.axes) && a.has_velocity == b.has_velocity && same(a.velocity, b.velocity) &&
+         same(a.spin, b.spin) &&
+         (a.inertia && b.inertia ? same(*a.inertia, *b.inertia) : a.inertia == b.inertia);
+}
+bool same(const RigidMotion& a, const RigidMotion& b) {
+  return a.id == b.id && a.title == b.title && a.body == b.body && a.rotation == b.rotation &&
+         a.local == b.local && same(a.direction, b.direction) && a.only_direction == b.only_direction &&
+         a.kind == b.kind && a.curve == b.curve && a.scale == b.scale && a.birth == b.birth &&
+         a.death == b.death;
+}
+bool same(const RigidLoad& a, const RigidLoad& b) {
+  return a.id == b.id && a.title == b.title && a.body == b.body && a.moment == b.moment &&
+         same(a.direction, b.direction) && a.follower == b.follower && same(a.follow, b.follow) &&
+         a.curve == b.curve && a.scale == b.scale;
+}
 bool same(const ContactSide& a, const ContactSide& b) {
   return a.type == b.type && a.id == b.id && a.parts == b.parts && same(a.segments, b.segments) &&
          a.nodes == b.nodes;
@@ -150,7 +179,8 @@ bool same(const Contact& a, const Contact& b) {
          a.extension == b.extension && a.ignore == b.ignore;
 }
 bool same(const ContactControl& a, const ContactControl& b) {
-  return a.stiffness == b.stiffness && a.penalty == b.penalty && a.orient == b.orient && a.ignore == b.ignore;
+  return a.stiffness == b.stiffness && a.penalty == b.penalty && a.orient == b.orient &&
+         a.ignore == b.ignore && a.shell_thickness == b.shell_thickness;
 }
 bool same(const AbsorbingFaces& a, const AbsorbingFaces& b) {
   return same(a.segments, b.segments) && a.dilatational == b.dilatational && a.shear == b.shear;
@@ -237,6 +267,9 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE_LIST(body_loads)
   CLEAVE_COMPARE_LIST(walls)
   CLEAVE_COMPARE_LIST(contacts)
+  CLEAVE_COMPARE_LIST(rigid_bodies)
+  CLEAVE_COMPARE_LIST(rigid_motions)
+  CLEAVE_COMPARE_LIST(rigid_loads)
   CLEAVE_COMPARE_LIST(absorbing)
   CLEAVE_COMPARE_LIST(precracks)
   CLEAVE_COMPARE_LIST(incident_waves)
@@ -264,6 +297,7 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE(requests.rcforc)
   CLEAVE_COMPARE(requests.sleout)
   CLEAVE_COMPARE(requests.ncforc)
+  CLEAVE_COMPARE(requests.rbdout)
   CLEAVE_COMPARE(requests.restart_cycles)
   CLEAVE_COMPARE(requests.running_restart_cycles)
   CLEAVE_COMPARE_LIST(requests.history_nodes)

@@ -18,7 +18,7 @@ struct Interval {
 struct Requests {
   std::string title;
   Interval field;  ///< d3plot-like frames
-  Interval glstat, matsum, nodout, elout, rwforc, spcforc, rcforc, sleout, ncforc;
+  Interval glstat, matsum, nodout, elout, rwforc, spcforc, rcforc, sleout, ncforc, rbdout;
   std::int64_t restart_cycles = 0;          ///< *DATABASE_BINARY_D3DUMP: write a restart every so many cycles
   std::int64_t running_restart_cycles = 0;  ///< RUNRSF: the same file overwritten
   std::vector<Index> history_nodes;         ///< *DATABASE_HISTORY_NODE(_SET)

@@ -1,4 +1,4 @@
-/// *CONTACT_* between surfaces of solids, and *CONTROL_CONTACT.
+/// *CONTACT_* between surfaces of solids and of shells that do not deform, and *CONTROL_CONTACT.
 
 #include <algorithm>
 #include <numeric>
@@ -19,6 +19,18 @@ void faces_to_nodes(ContactSide& side) {
   for (const Segment& face : side.segments) side.nodes.insert(side.nodes.end(), face.node, face.node + 4);
   std::sort(side.nodes.begin(), side.nodes.end());
   side.nodes.erase(std::unique(side.nodes.begin(), side.nodes.end()), side.nodes.end());
+}
+
+/// Shells of the parts, each once.
+void add_shells(const Mesh& mesh, const std::vector<Index>& parts, std::vector<Segment>& segments) {
+  for (const Elements& group : mesh.shells) {
+    const auto n = static_cast<std::size_t>(nodes_of(group.shape));
+    for (std::size_t e = 0; e < group.count(); ++e) {
+      if (!std::binary_search(parts.begin(), parts.end(), group.part[e])) continue;
+      const Index* node = &group.node[n * e];
+      segments.push_back({{node[0], node[1], node[2], node[n - 1]}});
+    }
+  }
 }
 
 /// The parts a side names; false with an error where there is none.
@@ -63,8 +75,9 @@ bool take_side(Draft& draft, const Entry& entry, const Columns& columns, bool no
     case 6:
       if (!find_parts(draft, entry, field, side)) return false;
       side.segments = outer_faces(draft.model.mesh, side.parts);
+      add_shells(draft.model.mesh, side.parts, side.segments);
       if (side.segments.empty())
-        draft.error(entry, field, "the parts of this contact have no surface: they have no solid elements");
+        draft.error(entry, field, "the parts of this contact have no surface: they have no elements");
       break;
     case 4: {
       if (!nodes_allowed) {
@@ -186,6 +199,9 @@ void take_control(Draft& draft, const Entry& entry) {
   }
   control.orient = static_cast<int>(entry.integer("ORIEN"));
   if (control.orient == 0) control.orient = 1;
+  control.shell_thickness = static_cast<int>(entry.integer("SHLTHK"));
+  if (control.shell_thickness < 0 || control.shell_thickness > 2)
+    draft.error(entry, "SHLTHK", "found " + std::to_string(control.shell_thickness) + ", expected 0, 1 or 2");
   if (entry.has("IGNORE")) control.ignore = static_cast<int>(entry.integer("IGNORE"));
   if (control.ignore < 0 || control.ignore > 2)
     draft.error(entry, "IGNORE", "found " + std::to_string(control.ignore) + ", expected 0, 1 or 2");
@@ -199,7 +215,7 @@ constexpr std::string_view unused =
     "SAPR SBPR PENCHK SAST SBST SFSAT SFSBT SBOPT DEPTH BSORT FRCFRQ THKOPT SHLTHK SNLOG ISYM I2D3D IGAP "
     "FLANGL EROSOP IADJ MPP_IGNORE BCKT LCBCKT NS2TRK INITITR PARMAX CHKSEGS GRPABLE DTPCHK Q2TRI SHLEDG "
     "IGNROFF SHLOFF TIEDID SRNDE";
-constexpr std::string_view remark = "between surfaces of solids; see the page on contact";
+constexpr std::string_view remark = "between surfaces of solids and rigid shells; see the page on contact";
 
 /// Ties have no friction and one method each.
 constexpr std::string_view tied_fields = "CID HEADING SURFA SURFB SURFATYP SURFBTYP BT DT SFSA SFSB SAST";
@@ -236,8 +252,8 @@ constexpr Handler handlers[] = {
     tying("CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET"),
     {.keyword = "CONTROL_CONTACT",
      .phase = Phase::definition,
-     .honoured = "SLSFAC PENOPT ORIEN IGNORE",
-     .harmless = "RWPNAL ISLCHK SHLTHK THKCHG USRSTR USRFRC NSBCS INTERM XPENE SSTHK ECDT FRCENG SKIPRWG "
+     .honoured = "SLSFAC PENOPT ORIEN IGNORE SHLTHK",
+     .harmless = "RWPNAL ISLCHK THKCHG USRSTR USRFRC NSBCS INTERM XPENE SSTHK ECDT FRCENG SKIPRWG "
                  "OUTSEG SPOTSTP SPOTDEL SPOTHIN ISYM RWGAPS RWGDTH RWKSF SWRADF ITHOFF SHLEDG ITHCNT FTALL "
                  "SHLTRW IGACTC TH TH_SF PTSCL",
      .take = take_control},

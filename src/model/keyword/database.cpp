@@ -13,7 +13,8 @@ void take_history_file(Draft& draft, const Entry& entry) {
   const std::pair<std::string_view, Interval*> files[] = {
       {"DATABASE_GLSTAT", &r.glstat}, {"DATABASE_MATSUM", &r.matsum}, {"DATABASE_NODOUT", &r.nodout},
       {"DATABASE_ELOUT", &r.elout},   {"DATABASE_RWFORC", &r.rwforc}, {"DATABASE_SPCFORC", &r.spcforc},
-      {"DATABASE_RCFORC", &r.rcforc}, {"DATABASE_SLEOUT", &r.sleout}, {"DATABASE_NCFORC", &r.ncforc}};
+      {"DATABASE_RCFORC", &r.rcforc}, {"DATABASE_SLEOUT", &r.sleout}, {"DATABASE_NCFORC", &r.ncforc},
+      {"DATABASE_RBDOUT", &r.rbdout}};
   for (const auto& [keyword, interval] : files) {
     if (keyword != entry.keyword()) continue;
     interval->every = entry.real("DT", a_time);
@@ -135,6 +136,7 @@ constexpr Handler handlers[] = {
     {"DATABASE_RCFORC", Phase::action, interval, form, take_history_file},
     {"DATABASE_SLEOUT", Phase::action, interval, form, take_history_file},
     {"DATABASE_NCFORC", Phase::action, interval, form, take_history_file},
+    {"DATABASE_RBDOUT", Phase::action, interval, form, take_history_file},
     {"DATABASE_BINARY_D3PLOT", Phase::action, "DT LCDT NPLTC",
      "BEAM PSETID IOOPT RATE CUTOFF WINDOW TYPE PSET", take_plot},
     {"DATABASE_BINARY_D3DUMP", Phase::action, "DT", "LCDT BEAM NPLTC PSETID CID NSKIP IOOPT", take_dump},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/keyword/rigid_cards.hpp"
+#include "model/keyword/row_place.hpp"
 
 namespace cleave::model {
 namespace {
@@ -132,7 +133,13 @@ void take_velocity(Draft& draft, const Entry& entry) {
 class Masters {
  public:
   explicit Masters(Draft& draft)
-      : draft_(draft), body_(body_of_nodes(draft.model.rigid_bodies, draft.model.mesh.nodes.count())) {}
+      : draft_(draft), body_(body_of_nodes(draft.model.rigid_bodies, draft.model.mesh.nodes.count())) {
+    fixed_.resize(body_.size());
+    for (const FixedNodes& fixed : draft.model.fixed)
+      if (fixed.birth <= 0.0 && fixed.death >= forever && (!fixed.local || (fixed.directions & 7u) == 7u))
+        for (const Index node : fixed.nodes) fixed_[static_cast<std::size_t>(node)] |= fixed.directions;
+    for (const RigidBody& body : draft.model.rigid_bodies) held_.push_back(body.hold.directions == 63u);
+  }
 
   void check() {
     for (const FixedNodes& fixed : draft_.model.fixed)
@@ -143,6 +150,7 @@ class Masters {
       refuse(motion.nodes, motion.place, "BOUNDARY_PRESCRIBED_MOTION", "is moved by itself",
              "move the body: *BOUNDARY_PRESCRIBED_MOTION_RIGID");
     for (RigidWall& wall : draft_.model.walls) leave_out(wall);
+    for (const Contact& contact : draft_.model.contacts) check_sides(contact);
     for (const AbsorbingFaces& faces : draft_.model.absorbing)
       for (const Segment& face : faces.segments)
         if (refuse({face.node[0], face.node[1], face.node[2], face.node[3]}, faces.place,
@@ -152,15 +160,33 @@ class Masters {
   }
 
  private:
+  /// Can no node of a side ever be moved by a force?
+  bool immovable(const ContactSide& side) const {
+    return std::all_of(side.nodes.begin(), side.nodes.end(), [&](Index node) {
+      const Index body = body_[static_cast<std::size_t>(node)];
+      return body >= 0 ? held_[static_cast<std::size_t>(body)] != 0
+                       : (fixed_[static_cast<std::size_t>(node)] & 7u) == 7u;
+    });
+  }
+
+  void check_sides(const Contact& contact) {
+    const bool single = contact.search == Contact::Search::single;
+    if (contact.a.nodes.empty() || !immovable(contact.a) || (!single && !immovable(contact.b))) return;
+    draft_.diagnostics.error(contact.place, contact.keyword, "",
+                             "both sides of contact " + std::to_string(contact.id) +
+                                 " are rigid without mass: no force can move them",
+                             "at least one side must deform, or be a rigid body that is free to move");
+  }
+
   /// A rigid wall stops single nodes; those of rigid bodies pass it, as in the established programs.
   void leave_out(RigidWall& wall) {
     const auto rigid = [&](Index node) { return body_[static_cast<std::size_t>(node)] >= 0; };
     if (std::none_of(wall.nodes.begin(), wall.nodes.end(), rigid)) return;
     std::erase_if(wall.nodes, rigid);
-    draft_.diagnostics.warning(wall.place, "RIGIDWALL_PLANAR", "",
-                               "nodes of rigid bodies pass rigid walls: they are left out of wall " +
-                                   std::to_string(wall.id),
-                               "mesh the wall as a rigid part that is held, and give a contact");
+    draft_.diagnostics.warning(
+        wall.place, "RIGIDWALL_PLANAR", "",
+        "nodes of rigid bodies pass rigid walls: they are left out of wall " + std::to_string(wall.id),
+        "mesh the wall as a rigid part that is held, and give a contact");
   }
 
   bool refuse(const std::vector<Index>& nodes, deck::Place place, std::string keyword, std::string_view what,
@@ -168,6 +194,11 @@ class Masters {
     for (const Index node : nodes) {
       const Index body = body_[static_cast<std::size_t>(node)];
       if (body < 0) continue;
+      if (place.file < 0) {  // a code of *NODE
+        const Id id = draft_.model.mesh.nodes.id[static_cast<std::size_t>(node)];
+        place = row_places(draft_.deck, "NODE", IdKind::node, {id})[id];
+        keyword = "NODE";
+      }
       draft_.diagnostics.error(
           place, std::move(keyword), "",
           "node " + std::to_string(draft_.model.mesh.nodes.id[static_cast<std::size_t>(node)]) +
@@ -182,6 +213,8 @@ class Masters {
 
   Draft& draft_;
   std::vector<Index> body_;
+  std::vector<unsigned> fixed_;  // [node] directions held from beginning to end
+  std::vector<char> held_;       // [body] in all directions
 };
 
 }  // namespace
@@ -190,7 +223,8 @@ void finish_rigid_actions(Draft& draft) {
   for (const Entry& entry : draft.rigid.motions) take_motion(draft, entry);
   for (const Entry& entry : draft.rigid.loads) take_load(draft, entry);
   for (const Entry& entry : draft.rigid.velocities) take_velocity(draft, entry);
-  if (!draft.model.rigid_bodies.empty()) Masters(draft).check();
+  const bool surfaces = !draft.model.contacts.empty() && !draft.model.mesh.shells.empty();
+  if (!draft.model.rigid_bodies.empty() || surfaces) Masters(draft).check();
 }
 
 }  // namespace cleave::model

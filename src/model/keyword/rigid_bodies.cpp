@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/keyword/rigid_cards.hpp"
+#include "model/keyword/row_place.hpp"
 
 namespace cleave::model {
 
@@ -103,7 +104,7 @@ class Bodies {
     if (flag != 0 && flag != 1)
       draft_.error(entry, "IFLAG", "found " + std::to_string(flag) + ", expected 0 or 1");
     for (const Index node : nodes) {
-      places_.emplace(node, entry.place(by_set ? "NSID" : "NID"));
+      places_.insert_or_assign(node, entry.place(by_set ? "NSID" : "NID"));
       body.extra.push_back(node);
       if (flag == 1) body.added.push_back(node);
     }
@@ -123,7 +124,7 @@ class Bodies {
                           "the number " + std::to_string(body.id) + " is a part or a body already",
                           "give each rigid body its own number");
     body.extra = *set;
-    for (const Index node : *set) places_.emplace(node, body.place);
+    for (const Index node : *set) places_.insert_or_assign(node, body.place);
     model_.rigid_bodies.push_back(std::move(body));
   }
 
@@ -207,11 +208,27 @@ std::vector<unsigned> always_held(const Model& model) {
   return held;
 }
 
+/// Takes the shells of some parts out of the mesh.
+void remove_shells(Mesh& mesh, const std::vector<Id>& of_part) {
+  for (Elements& group : mesh.shells) {
+    const auto n = static_cast<std::size_t>(nodes_of(group.shape));
+    Elements kept{.shape = group.shape, .id = {}, .part = {}, .node = {}};
+    for (std::size_t e = 0; e < group.count(); ++e) {
+      if (of_part[static_cast<std::size_t>(group.part[e])] > 0) continue;
+      kept.id.push_back(group.id[e]);
+      kept.part.push_back(group.part[e]);
+      kept.node.insert(kept.node.end(), &group.node[n * e], &group.node[n * e] + n);
+    }
+    group = std::move(kept);
+  }
+}
+
 /// Shells of *SECTION_SHELL must be rigid, or held at every node; others are refused, and taken out of the
 /// mesh where that is allowed.
 void check_shells(Draft& draft) {
   Model& model = draft.model;
-  std::vector<char> free(model.parts.size(), 0), met(model.parts.size(), 0);
+  std::vector<Id> free(model.parts.size(), 0);  // [part] a shell that deforms
+  std::vector<char> met(model.parts.size(), 0);
   std::vector<unsigned> held;
   for (const Elements& group : model.mesh.shells)
     for (std::size_t e = 0; e < group.count(); ++e) {
@@ -220,15 +237,18 @@ void check_shells(Draft& draft) {
       if (held.empty()) held = always_held(model);
       met[p] = 1;
       const auto n = static_cast<std::size_t>(nodes_of(group.shape));
-      for (std::size_t a = 0; a < n; ++a)
-        if (held[static_cast<std::size_t>(group.node[n * e + a])] != 63u) free[p] = 1;
+      for (std::size_t a = 0; a < n && free[p] == 0; ++a)
+        if (held[static_cast<std::size_t>(group.node[n * e + a])] != 63u) free[p] = group.id[e];
     }
+  bool any = false;
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     const Part& part = model.parts[p];
-    if (free[p])
+    any = any || free[p] > 0;
+    if (free[p] > 0)
       draft.refuse(
-          part.place, "ELEMENT_SHELL", "PID",
-          "not computed here: shells of part " + std::to_string(part.id) + " deform",
+          row_places(draft.deck, "ELEMENT_SHELL", IdKind::element, {free[p]})[free[p]], "ELEMENT_SHELL",
+          "PID",
+          "not computed here: part " + std::to_string(part.id) + " has *SECTION_SHELL, and its shells deform",
           "give the part *MAT_RIGID, hold all its nodes in all six directions, or mesh it with solids");
     else if (met[p])
       draft.diagnostics.note(part.place, "PART", "PID",
@@ -240,18 +260,7 @@ void check_shells(Draft& draft) {
           part.section.place, "SECTION_SHELL", "T1",
           "shells of part " + std::to_string(part.id) + " have no thickness, and so no mass");
   }
-  if (std::find(free.begin(), free.end(), 1) == free.end()) return;
-  for (Elements& group : model.mesh.shells) {
-    const auto n = static_cast<std::size_t>(nodes_of(group.shape));
-    Elements kept{.shape = group.shape, .id = {}, .part = {}, .node = {}};
-    for (std::size_t e = 0; e < group.count(); ++e) {
-      if (free[static_cast<std::size_t>(group.part[e])]) continue;
-      kept.id.push_back(group.id[e]);
-      kept.part.push_back(group.part[e]);
-      kept.node.insert(kept.node.end(), &group.node[n * e], &group.node[n * e] + n);
-    }
-    group = std::move(kept);
-  }
+  if (any) remove_shells(model.mesh, free);
 }
 
 }  // namespace

@@ -22,7 +22,18 @@ std::optional<Vector> velocity(Draft& draft, const Entry& entry, std::string_vie
   return to_global(*frame, local);
 }
 
+/// IRIGID: velocities stated with the inertia of rigid parts (1, 3) or nodal rigid bodies (2, 3) give way.
+void take_rigid(Draft& draft, const Entry& entry) {
+  const auto code = entry.integer("IRIGID");
+  if (code < 0 || code > 3)
+    return draft.refuse(entry, "IRIGID", "the way " + std::to_string(code) + " of setting rigid bodies",
+                        "0, 1, 2 and 3 are computed");
+  draft.rigid.reset_parts = draft.rigid.reset_parts || (code & 1) != 0;
+  draft.rigid.reset_nodal = draft.rigid.reset_nodal || (code & 2) != 0;
+}
+
 void take_initial(Draft& draft, const Entry& entry) {
+  take_rigid(draft, entry);
   draft.refuse_turned(entry, "an initial velocity");
   const auto v = velocity(draft, entry, "VX", "VY", "VZ");
   if (!v) return;
@@ -41,6 +52,7 @@ void take_initial(Draft& draft, const Entry& entry) {
 }
 
 void take_generation(Draft& draft, const Entry& entry) {
+  take_rigid(draft, entry);
   draft.refuse_turned(entry, "an initial velocity");
   std::vector<Index> nodes;
   const Id id = entry.integer("ID");
@@ -96,14 +108,14 @@ void take_node(Draft& draft, const Entry& entry) {
   draft.velocity_layers[2].push_back([&draft, node, v] { set_velocity(draft, node, *v); });
 }
 
-constexpr std::string_view rotations = "VXR VYR VZR VXRE VYRE VZRE IRIGID IVATN";
+constexpr std::string_view rotations = "VXR VYR VZR VXRE VYRE VZRE IVATN";
 constexpr Handler handlers[] = {
     {.keyword = "INITIAL_VELOCITY",
-     .honoured = "NSID NSIDEX BOXID ICID VX VY VZ VXE VYE VZE",
+     .honoured = "NSID NSIDEX BOXID ICID VX VY VZ VXE VYE VZE IRIGID",
      .harmless = rotations,
      .take = take_initial},
     {.keyword = "INITIAL_VELOCITY_GENERATION",
-     .honoured = "ID STYP OMEGA VX VY VZ ICID XC YC ZC NX NY NZ",
+     .honoured = "ID STYP OMEGA VX VY VZ ICID XC YC ZC NX NY NZ IRIGID",
      .harmless = rotations,
      .take = take_generation},
     {.keyword = "INITIAL_VELOCITY_NODE",

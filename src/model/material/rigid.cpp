@@ -12,7 +12,7 @@ constexpr LawField fields[] = {
     {.name = "CMO", .dimension = "-", .low = -1.0, .high = 1.0},
     {.name = "CON1", .dimension = "-", .low = 0.0},
     {.name = "CON2", .dimension = "-", .low = 0.0},
-    {.name = "LCO/A1", .dimension = "-"},
+    {.name = "LCO", .dimension = "-"},
     {.name = "A2", .dimension = "-"},
     {.name = "A3", .dimension = "-"},
     {.name = "V1", .dimension = "-"},

@@ -9,7 +9,10 @@ namespace {
 
 class ActionWriter {
  public:
-  ActionWriter(const Model& model, DeckText& out) : model_(model), out_(out), references_(out) {}
+  ActionWriter(const Model& model, DeckText& out)
+      : model_(model), out_(out), references_(out, write_named_frames(model, out)) {}
+
+  void rigid() { write_rigid(model_, references_, out_); }
 
   void fixed(const FixedNodes& f) {
     const Id cid = f.local ? references_.frame(f.frame) : 0;
@@ -242,8 +245,10 @@ class ActionWriter {
   Id curve(Index i) const { return curve_id(model_, i); }
   /// Node set of a wall, 0 for all nodes.
   Id wall_nodes(const RigidWall& w) const {
-    const auto* set =
-        w.nodes.size() == model_.mesh.nodes.count() ? nullptr : set_of(model_.node_sets, w.nodes);
+    std::size_t rigid = 0;  // nodes of rigid bodies are no wall's
+    for (const RigidBody& body : model_.rigid_bodies) rigid += body.nodes.size();
+    const bool all = w.nodes.size() + rigid == model_.mesh.nodes.count();
+    const auto* set = all ? nullptr : set_of(model_.node_sets, w.nodes);
     return set ? set->id : 0;
   }
 
@@ -267,6 +272,7 @@ void write_actions(const Model& model, DeckText& out) {
   for (const auto& a : model.absorbing) write.absorbing(a);
   for (const auto& c : model.precracks) write.precrack(c);
   for (const auto& w : model.incident_waves) write.incident(w);
+  write.rigid();
   write.damping();
   write.masses();
   write.velocities();

@@ -41,7 +41,8 @@ void write_control(const Model& model, DeckText& out) {
   out.line({c.hourglass.type, c.hourglass.coefficient});
   if (!model.contacts.empty()) {
     out.keyword("CONTROL_CONTACT");
-    out.line({c.contact.stiffness, 0.0, 1, 0, c.contact.penalty, 0, c.contact.orient});
+    out.line(
+        {c.contact.stiffness, 0.0, 1, c.contact.shell_thickness, c.contact.penalty, 0, c.contact.orient});
     out.line({0});
     out.line({0.0});
     out.line({c.contact.ignore});
@@ -106,9 +107,10 @@ void write_parts(const Model& model, DeckText& out) {
       out.keyword("HOURGLASS");
       out.line({++hourglass, h.type, h.coefficient, 0, h.quadratic_bulk, h.linear_bulk});
     }
-    out.keyword("PART");
+    out.keyword(part.inertia ? "PART_INERTIA" : "PART");
     out.text(part.title);
     out.line({part.id, part.section.id, part.material_id, part.state_id, own ? hourglass : Id(0)});
+    if (part.inertia) write_inertia(*part.inertia, model, out);
   }
 }
 

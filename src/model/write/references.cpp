@@ -27,6 +27,8 @@ void name_node_lists(Model& model) {
   for (std::size_t i = 0; i < model.walls.size(); ++i)
     if (model.walls[i].nodes.size() != model.mesh.nodes.count())
       ensure(model.walls[i].nodes, "nodes of rigid wall " + std::to_string(i + 1));
+  for (const RigidBody& body : model.rigid_bodies)
+    if (body.parts.empty()) ensure(body.extra, "nodes of rigid body " + std::to_string(body.id));
   for (const FixedNodes& fixed : model.fixed)
     if ((fixed.id != 0 || !fixed.title.empty()) && fixed.nodes.size() != 1)
       ensure(fixed.nodes, "nodes of constraint " + std::to_string(fixed.id));

@@ -22,7 +22,8 @@ int axis_of(const Vector& direction);
 /// Hands out numbers for coordinate systems and vectors and writes their definitions.
 class References {
  public:
-  explicit References(DeckText& out) : out_(out) {}
+  /// @param frames  the last number of a coordinate system that is taken
+  explicit References(DeckText& out, Id frames = 0) : out_(out), frames_(frames) {}
   Id frame(const Frame& frame);
   /// A frame whose x axis is the direction.
   Id frame_along(const Vector& direction);
@@ -30,7 +31,7 @@ class References {
 
  private:
   DeckText& out_;
-  Id frames_ = 0, vectors_ = 0;
+  Id frames_, vectors_ = 0;
 };
 
 inline Id curve_id(const Model& model, Index curve) {
@@ -41,5 +42,11 @@ void write_definitions(const Model& model, DeckText& out);
 void write_mesh(const Model& model, DeckText& out);
 void write_actions(const Model& model, DeckText& out);
 void write_requests(const Model& model, DeckText& out);
+
+/// Lines of a stated inertia: centre and mass, tensor, velocities.
+void write_inertia(const RigidInertia& stated, const Model& model, DeckText& out);
+/// Coordinate systems that materials name by number. @return the largest number, 0 for none
+Id write_named_frames(const Model& model, DeckText& out);
+void write_rigid(const Model& model, References& references, DeckText& out);
 
 }  // namespace cleave::model

@@ -7,9 +7,9 @@ namespace cleave::model {
 void write_requests(const Model& model, DeckText& out) {
   const Requests& r = model.requests;
   const std::pair<std::string_view, const Interval*> files[] = {
-      {"GLSTAT", &r.glstat}, {"MATSUM", &r.matsum}, {"NODOUT", &r.nodout},
-      {"ELOUT", &r.elout},   {"RWFORC", &r.rwforc}, {"SPCFORC", &r.spcforc},
-      {"RCFORC", &r.rcforc}, {"SLEOUT", &r.sleout}, {"NCFORC", &r.ncforc}};
+      {"GLSTAT", &r.glstat}, {"MATSUM", &r.matsum},   {"NODOUT", &r.nodout}, {"ELOUT", &r.elout},
+      {"RWFORC", &r.rwforc}, {"SPCFORC", &r.spcforc}, {"RCFORC", &r.rcforc}, {"SLEOUT", &r.sleout},
+      {"NCFORC", &r.ncforc}, {"RBDOUT", &r.rbdout}};
   for (const auto& [name, interval] : files) {
     if (!interval->active()) continue;
     out.keyword("DATABASE_" + std::string(name));

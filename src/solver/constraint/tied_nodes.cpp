@@ -127,6 +127,19 @@ class TiedNodes final : public Constraint {
   bool active_ = false;
 };
 
+/// A node of these ties that belongs to a rigid body; -1 for none.
+Index rigid_node(const discretisation::World& world, const std::vector<Tie>& ties) {
+  const auto rigid = [&](Index a) {
+    return !world.body_of_node.empty() && world.body_of_node[static_cast<std::size_t>(a)] >= 0;
+  };
+  for (const Tie& tie : ties) {
+    if (rigid(tie.node)) return tie.node;
+    for (int k = 0; k < 4; ++k)
+      if (tie.weight[k] != 0.0 && rigid(tie.corner[k])) return tie.corner[k];
+  }
+  return -1;
+}
+
 }  // namespace
 
 void add_tied_nodes(const discretisation::World& world, ConstraintList& list,
@@ -135,6 +148,16 @@ void add_tied_nodes(const discretisation::World& world, ConstraintList& list,
     const model::Contact& contact = world.model->contacts[c];
     if (!contact.tied || contact.offset) continue;
     std::vector<Tie> ties = find_ties(world, contact, diagnostics);
+    if (const Index node = rigid_node(world, ties); node >= 0) {
+      diagnostics.error(
+          contact.place, contact.keyword, "",
+          "node " + std::to_string(world.model->mesh.nodes.id[static_cast<std::size_t>(node)]) +
+              " (and perhaps more) of contact " + std::to_string(contact.id) +
+              " belongs to a rigid body, which is its only master",
+          "tie by springs: *CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET, or make the nodes extra nodes "
+          "of the body: *CONSTRAINED_EXTRA_NODES");
+      continue;
+    }
     if (!ties.empty())
       list.push_back(std::make_unique<TiedNodes>(contact, c, std::move(ties), world.node_count()));
   }

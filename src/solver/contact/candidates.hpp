@@ -36,9 +36,11 @@ class Candidates {
   const Reach& reach() const { return reach_; }
   Bounds box(const Face& face, double depth) const {
     Bounds box = reach_.box_of(face.node);
-    box.grow(depth * face.thickness);
+    box.grow(depth * face.thickness + face.offset + beyond_);
     return box;
   }
+  /// How far the surface of the things may lie from their nodes [length].
+  void things_reach(double beyond) { beyond_ = beyond; }
 
   /// Lists, for each of the things, the active faces whose boxes meet its own and that it may meet.
   /// @param depth   by which the box of a face grows, in its thicknesses [-]
@@ -136,6 +138,7 @@ class Candidates {
     return all;
   }
 
+  double beyond_ = 0.0;
   Reach reach_;
   std::int64_t version_a_ = -1, version_b_ = -1;
   Tree tree_;

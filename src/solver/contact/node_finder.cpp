@@ -64,6 +64,7 @@ class NodeFinder final : public Finder {
     for (const std::int32_t f : active) size += std::sqrt(face(f).area);
     size /= std::max<double>(1.0, static_cast<double>(active.size()));
     near_.place(now, united(slaves(), faces_->nodes()), 0.1 * size, 0.5 * size, *of_nodes_, *faces_);
+    near_.things_reach(of_nodes_->largest_offset());
     near_.list(
         slaves(), *faces_, keep_depth, 1024, [&](Index node) { return near_.reach().box(node); },
         [&](Index node, std::int32_t f) { return !single_ || !own(node, face(f)); });
@@ -89,6 +90,7 @@ class NodeFinder final : public Finder {
     Vector normal[16];  // of the faces around it
     int normals = 0;
     double stiffness = 1e300;
+    double offset = 0.0;  // of the surface from the node [length]
   };
 
   /// Does any face around the node look at a face with this normal?
@@ -102,10 +104,11 @@ class NodeFinder final : public Finder {
   void look(const Moment& now, const Past& past, Index node, std::span<const std::int32_t> near,
             std::vector<Touch>& out) const {
     if (!(now.mass[static_cast<std::size_t>(node)] > 0.0)) return;
-    Slave slave{node, vector_at(now.position, node), {}, 0, 1e300};
+    Slave slave{node, vector_at(now.position, node), {}, 0, 1e300, 0.0};
     for (const std::int32_t f : of_nodes_->faces_at(slave.node)) {
       const Face& around = of_nodes_->faces()[static_cast<std::size_t>(f)];
       slave.stiffness = std::min(slave.stiffness, around.stiffness);
+      slave.offset = std::max(slave.offset, around.offset);
       if (slave.normals < 16) slave.normal[slave.normals++] = unit(area_normal(around, now.position));
     }
     double least = 1e300;
@@ -113,7 +116,8 @@ class NodeFinder final : public Finder {
     Closest place{};
     for (const std::int32_t f : near) {
       const Face& target = face(f);
-      if (!faces(slave, unit(area_normal(target, now.position)))) continue;
+      const Vector normal = unit(area_normal(target, now.position));
+      if (!faces(slave, normal)) continue;
       Vector corner[4];
       for (int a = 0; a < 4; ++a)
         corner[a] = vector_at(now.position, target.node[static_cast<std::size_t>(a)]);
@@ -121,6 +125,8 @@ class NodeFinder final : public Finder {
       const Vector to = slave.at - c.point;
       const double distance = dot(to, to);
       if (distance >= least) continue;
+      // Of a shell that the node could meet from either side, the side on which it is.
+      if (target.shell && faces(slave, -1.0 * normal) && dot(to, normal) < 0.0) continue;
       least = distance;
       best = f;
       place = c;
@@ -140,13 +146,15 @@ class NodeFinder final : public Finder {
     }
     touch.face = best;
     touch.reverse = reverse_;
-    if (touch.depth > reach_depth * target.thickness) {
+    // Behind the middle of a shell is its other side.
+    const double reach = target.shell ? slave.offset + target.offset : reach_depth * target.thickness;
+    if (touch.depth > reach) {
       // So deep only if it was in touch before, or has just come through.
       const double came = -touch.depth - dot(relative(touch, now.velocity), touch.normal) * now.step_before;
       const bool was = past.find(touch.key) != nullptr;
       const bool start = now.step_before == 0.0 && !single_;
       if (!was && !start && came < 0.0) return;
-      if (start && touch.depth > keep_depth * target.thickness) return;
+      if (start && (target.shell || touch.depth > keep_depth * target.thickness)) return;
     }
     const double of_node = node_factor_ * slave.stiffness, of_face = face_factor_ * target.stiffness;
     const bool has_node = slave.normals > 0;
@@ -168,11 +176,12 @@ class NodeFinder final : public Finder {
                   Touch& touch) const {
     const Face& target = face(f);
     const Vector to = slave.at - place.point;
+    const double apart = slave.offset + target.offset;  // of the nodes where the surfaces meet
     if (place.inside()) {
       // On a fold of a warped face the way to the closest point is along neither of its pieces.
       touch.normal = unit(place.normal);
-      touch.depth = -dot(to, touch.normal);
-      if (touch.depth > 1e-9 * target.thickness) {
+      touch.depth = apart - dot(to, touch.normal);
+      if (touch.depth > 1e-9 * target.thickness && apart == 0.0) {
         touch.depth = norm(to);
         touch.normal = (-1.0 / touch.depth) * to;
       }
@@ -181,8 +190,10 @@ class NodeFinder final : public Finder {
     // On an edge or a corner: what do the faces around it say together?
     Vector sum = unit(area_normal(target, now.position));
     bool border = false;
+    const Vector own_normal = sum;
     const auto join = [&](std::int32_t g) {
       const Vector n = unit(area_normal(face(g), now.position));
+      if (face(g).shell && dot(n, own_normal) < 0.0) return;  // the other side of a shell
       if (faces(slave, n))
         sum = sum + n;
       else
@@ -208,15 +219,15 @@ class NodeFinder final : public Finder {
     }
     const Vector n = unit(sum);
     const double height = dot(to, n);
-    if (height >= 0.0) return false;
+    if (height >= apart) return false;
     const double distance = norm(to);
     const Vector beside = to - height * n;
     // Beyond the rim of what it can meet: a face reaches a little beyond its edges.
     if (border && norm(beside) > (contact_.extension - 1.0) * std::sqrt(target.area)) return false;
-    const bool at_rim = border || distance < 1e-9 * target.thickness;
+    const bool at_rim = border || apart > 0.0 || distance < 1e-9 * target.thickness;
     if (at_rim) shift(now, target, beside, n, touch.wb);
     touch.normal = at_rim ? n : (-1.0 / distance) * to;
-    touch.depth = at_rim ? -height : distance;
+    touch.depth = at_rim ? apart - height : distance;
     return true;
   }
 

@@ -75,22 +75,35 @@ class SegmentFinder final : public Finder {
     size /= std::max<double>(1.0, static_cast<double>(as.size() + bs.size()));
     constexpr double half = 0.5 * keep_depth;  // each of two faces brings its own
     near_.place(now, united(a_->nodes(), b_->nodes()), 0.05 * size, 0.4 * size, *a_, *b_);
+    near_.things_reach(a_->largest_offset());
     near_.list(
         as, *b_, half, 256, [&](std::int32_t f) { return near_.box(face_a(f), half); },
         [&](std::int32_t f, std::int32_t g) { return !single_ || (g > f && !joined(face_a(f), face(g))); });
   }
 
+  /// Where the corners of the surface are: those of a shell lie half of it outside its nodes.
+  static void corners(const Moment& now, const Face& face, Vector (&x)[4]) {
+    for (std::size_t i = 0; i < 4; ++i) x[i] = vector_at(now.position, face.node[i]);
+    if (face.offset == 0.0) return;
+    const Vector normal = area_normal(face, now.position);
+    const double size = norm(normal);
+    if (!(size > 0.0)) return;
+    for (Vector& at : x) at = at + (face.offset / size) * normal;
+  }
+
   void look(const Moment& now, const Past& past, std::int32_t f, std::span<const std::int32_t> near,
             std::vector<Touch>& out) const {
     Vector x[4];
-    for (std::size_t i = 0; i < 4; ++i) x[i] = vector_at(now.position, face_a(f).node[i]);
+    corners(now, face_a(f), x);
     const Gate gate(x);
     for (std::size_t from = 0; from < near.size(); from += base::lane_count) {
       const std::size_t count = std::min<std::size_t>(base::lane_count, near.size() - from);
       Gate::Corners y;
       for (std::size_t lane = 0; lane < base::lane_count; ++lane) {
         const Face& other = face(near[from + std::min(lane, count - 1)]);
-        for (std::size_t i = 0; i < 4; ++i) y.set(i, lane, vector_at(now.position, other.node[i]));
+        Vector corner[4];
+        corners(now, other, corner);
+        for (std::size_t i = 0; i < 4; ++i) y.set(i, lane, corner[i]);
       }
       const base::Mask may = gate.open(y);
       for (std::size_t lane = 0; lane < count; ++lane)
@@ -117,7 +130,9 @@ class SegmentFinder final : public Finder {
     touch.depth = shared.volume / shared.deep_area;
     touch.area = shared.deep_area;
     const double thick = 0.5 * (one.thickness + other.thickness);
-    if (touch.depth > reach_depth * thick) {
+    // Behind the middle of a shell is its other side.
+    const double reach = one.shell || other.shell ? one.offset + other.offset : reach_depth * thick;
+    if (touch.depth > reach) {
       const double came =
           -touch.depth - base::dot(relative(touch, now.velocity), touch.normal) * now.step_before;
       if (came < 0.0 && !past.find(touch.key)) return;

@@ -1,8 +1,10 @@
 #include "solver/contact/surface.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
+#include "discretisation/rigid/block.hpp"
 #include "model/material/law.hpp"
 #include "model/solid_geometry.hpp"
 #include "model/solid_shape.hpp"
@@ -45,10 +47,12 @@ Vector area_normal(const Face& face, std::span<const double> position) {
 Surface::Surface(const discretisation::World& world, const model::Contact& contact,
                  const model::ContactSide& side, bool inner, bool orient, deck::Diagnostics& diagnostics)
     : world_(world) {
-  if (side.parts.empty())
+  if (side.parts.empty()) {
     add_listed(contact, side, orient, diagnostics);
-  else
+  } else {
     add_outer(inner, side.parts);
+    add_shells(contact, side.parts);
+  }
   list_owned();
   alive_.assign(elements_.size(), 1);
   connect();
@@ -107,6 +111,15 @@ void Surface::add_listed(const model::Contact& contact, const model::ContactSide
     return std::count_if(nodes, nodes + n, [&](Index a) { return used[static_cast<std::size_t>(a)] != 0; }) >=
            3;
   });
+  std::map<std::array<Index, 4>, std::pair<std::size_t, std::size_t>> shells;
+  for (std::size_t g = 0; g < world_.model->mesh.shells.size(); ++g) {
+    const model::Elements& group = world_.model->mesh.shells[g];
+    const auto n = static_cast<std::size_t>(model::nodes_of(group.shape));
+    for (std::size_t e = 0; e < group.count(); ++e) {
+      const Index* node = &group.node[n * e];
+      shells.emplace(key_of({{node[0], node[1], node[2], node[n - 1]}}), std::pair{g, e});
+    }
+  }
   const auto name = [&](const Segment& face) {
     std::string text;
     for (const Index node : face.node)
@@ -119,9 +132,15 @@ void Surface::add_listed(const model::Contact& contact, const model::ContactSide
     const auto at = std::lower_bound(sides.begin(), sides.end(), key,
                                      [](const Side& s, const std::array<Index, 4>& k) { return s.key < k; });
     if (at == sides.end() || at->key != key) {
-      diagnostics.error(contact.place, contact.keyword, "",
-                        "segment " + name(face) + " is no face of a solid",
-                        "contact needs the solid behind a face: name faces of *ELEMENT_SOLID");
+      if (const auto shell = shells.find(key); shell != shells.end()) {
+        const auto [group, element] = shell->second;
+        add_shell(contact, group, element, face);
+        if (orient) add_shell(contact, group, element, turned(face));
+        continue;
+      }
+      diagnostics.error(
+          contact.place, contact.keyword, "", "segment " + name(face) + " is no face of a solid",
+          "contact needs the element behind a face: name faces of *ELEMENT_SOLID or rigid shells");
       continue;
     }
     const bool back = reversed(at->face, face);
@@ -134,12 +153,52 @@ void Surface::add_listed(const model::Contact& contact, const model::ContactSide
   }
 }
 
-std::int32_t Surface::number(const Side& side) {
-  const model::Id id = world_.model->mesh.solids[static_cast<std::size_t>(side.group)]
-                           .id[static_cast<std::size_t>(side.element)];
-  const auto [at, fresh] = number_.try_emplace(id, static_cast<std::int32_t>(elements_.size()));
-  if (fresh) elements_.push_back(id);
+std::int32_t Surface::number(model::Id key) {
+  const auto [at, fresh] = number_.try_emplace(key, static_cast<std::int32_t>(elements_.size()));
+  if (fresh) elements_.push_back(key);
   return at->second;
+}
+
+/// Both sides of every shell of the parts.
+void Surface::add_shells(const model::Contact& contact, std::span<const Index> parts) {
+  const auto& shells = world_.model->mesh.shells;
+  for (std::size_t g = 0; g < shells.size(); ++g) {
+    const auto n = static_cast<std::size_t>(model::nodes_of(shells[g].shape));
+    for (std::size_t e = 0; e < shells[g].count(); ++e) {
+      if (!std::binary_search(parts.begin(), parts.end(), shells[g].part[e])) continue;
+      const Index* node = &shells[g].node[n * e];
+      const Segment top{{node[0], node[1], node[2], node[n - 1]}};
+      add_shell(contact, g, e, top);
+      add_shell(contact, g, e, turned(top));
+    }
+  }
+}
+
+/// One side of a shell: its stiffness is K A over the diagonal, and what is behind it as deep as it is wide.
+void Surface::add_shell(const model::Contact& contact, std::size_t g, std::size_t e, const Segment& side) {
+  const model::Model& model = *world_.model;
+  const model::Elements& group = model.mesh.shells[g];
+  const model::Part& part = model.parts[static_cast<std::size_t>(group.part[e])];
+  Face face;
+  face.node = {side.node[0], side.node[1], side.node[2], side.node[3]};
+  face.element = group.id[e];
+  face.part = group.part[e];
+  face.owner = number(-group.id[e]);
+  face.shell = true;
+  const int rule = model.control.contact.shell_thickness;
+  const double thickness = discretisation::shell_thickness(part.section);
+  if (contact.automatic || rule == 2 || (rule == 1 && !part.rigid)) face.offset = 0.5 * thickness;
+  largest_offset_ = std::max(largest_offset_, face.offset);
+  face.area = norm(area_normal(face, model.mesh.nodes.position));
+  face.thickness = std::max(thickness, std::sqrt(face.area));
+  double diagonal = 0.0;
+  for (std::size_t a = 0; a < 4; ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      diagonal = std::max(diagonal, norm(vector_at(model.mesh.nodes.position, face.node[a]) -
+                                         vector_at(model.mesh.nodes.position, face.node[b])));
+  const double bulk = part.law ? part.law->bulk_modulus() : 0.0;
+  face.stiffness = diagonal > 0.0 ? bulk * face.area / diagonal : 0.0;
+  faces_.push_back(face);
 }
 
 void Surface::add_face(const Segment& segment, const Side& side, std::int32_t twin) {
@@ -151,7 +210,7 @@ void Surface::add_face(const Segment& segment, const Side& side, std::int32_t tw
   face.node = {segment.node[0], segment.node[1], segment.node[2], segment.node[3]};
   face.element = group.id[e];
   face.part = group.part[e];
-  face.owner = number(side);
+  face.owner = number(group.id[e]);
   face.twin = twin;
   std::array<model::Corner, 10> corner;
   for (std::size_t a = 0; a < n; ++a) corner[a] = vector_at(model.mesh.nodes.position, group.node[n * e + a]);
@@ -309,6 +368,7 @@ void Surface::find_neighbours(std::int32_t f) {
     std::int32_t found = -1;
     for (const std::int32_t g : faces_at(to)) {
       const Face& other = faces_[static_cast<std::size_t>(g)];
+      if (other.owner == face.owner && face.shell) continue;  // its other side
       for (int b = 0; b < other.corners(); ++b)
         if (other.node[static_cast<std::size_t>(b)] == to &&
             other.node[static_cast<std::size_t>((b + 1) % other.corners())] == from)

@@ -34,6 +34,8 @@ struct Face {
   double area = 0.0;        ///< at the start [length^2]
   std::int32_t owner = -1;  ///< element it belongs to, by number
   std::int32_t twin = -1;   ///< face of the element on the other side; -1 none
+  bool shell = false;       ///< a side of a shell: there is another one on the same nodes
+  double offset = 0.0;      ///< of the surface from the nodes along the normal: half the shell [length]
 
   int corners() const { return node[3] == node[2] ? 3 : 4; }
 };
@@ -61,6 +63,8 @@ class Surface {
   const std::vector<Index>& nodes() const { return nodes_; }           ///< of the active faces, ascending
   /// Active faces at a node.
   std::span<const std::int32_t> faces_at(Index node) const;
+  /// Largest distance of a surface from its nodes [length].
+  double largest_offset() const { return largest_offset_; }
   /// The active face across an edge of an active face; -1 for none or several.
   std::int32_t neighbour(std::int32_t face, int edge) const {
     return neighbour_[4 * static_cast<std::size_t>(face) + static_cast<std::size_t>(edge)];
@@ -79,7 +83,10 @@ class Surface {
   void add_listed(const model::Contact& contact, const model::ContactSide& side, bool orient,
                   deck::Diagnostics& diagnostics);
   void add_face(const model::Segment& segment, const Side& owner, std::int32_t twin);
-  std::int32_t number(const Side& side);
+  void add_shells(const model::Contact& contact, std::span<const Index> parts);
+  void add_shell(const model::Contact& contact, std::size_t group, std::size_t element,
+                 const model::Segment& side);
+  std::int32_t number(model::Id key);
   void list_owned();
   void connect();
   void enter(Index node, std::int32_t face);
@@ -92,8 +99,9 @@ class Surface {
   };
 
   const discretisation::World& world_;
+  double largest_offset_ = 0.0;
   std::vector<Face> faces_;
-  std::vector<model::Id> elements_;  // owners of faces, by number
+  std::vector<model::Id> elements_;  // owners of faces, by number; shells have a minus
   std::int64_t version_ = 0;
   std::vector<char> alive_;                        // [element]
   std::vector<char> here_;                         // [face] is it active?

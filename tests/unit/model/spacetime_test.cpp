@@ -51,7 +51,7 @@ TEST(SpacetimeDeck, ShellsOfBothShapes) {
 
 TEST(SpacetimeDeck, OrdinaryShellsAreRefusedAsAWhole) {
   EXPECT_TRUE(plate_with("*SECTION_SHELL_SDG_TITLE\nthin plate\n1,12,2,4,0.5\n", "*SECTION_SHELL\n1,2\n1.0\n")
-                  .says(Severity::error, 18, "not computed here"));
+                  .says(Severity::error, 19, "not computed here"));
   EXPECT_TRUE(build_text(cube + "*ELEMENT_SHELL\n7,1,1,2,3,4\n")
                   .says(Severity::error, after_cube, "not computed here"));
   EXPECT_TRUE(
