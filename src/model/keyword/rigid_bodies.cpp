@@ -227,7 +227,7 @@ void remove_shells(Mesh& mesh, const std::vector<Id>& of_part) {
 /// mesh where that is allowed.
 void check_shells(Draft& draft) {
   Model& model = draft.model;
-  std::vector<Id> free(model.parts.size(), 0);  // [part] a shell that deforms
+  std::vector<Id> free(model.parts.size(), 0);  // [part] lowest number of a shell that deforms
   std::vector<char> met(model.parts.size(), 0);
   std::vector<unsigned> held;
   for (const Elements& group : model.mesh.shells)
@@ -237,7 +237,7 @@ void check_shells(Draft& draft) {
       if (held.empty()) held = always_held(model);
       met[p] = 1;
       const auto n = static_cast<std::size_t>(nodes_of(group.shape));
-      for (std::size_t a = 0; a < n && free[p] == 0; ++a)
+      for (std::size_t a = 0; a < n && (free[p] == 0 || group.id[e] < free[p]); ++a)
         if (held[static_cast<std::size_t>(group.node[n * e + a])] != 63u) free[p] = group.id[e];
     }
   bool any = false;

@@ -70,6 +70,7 @@ void put_wall(Bar& bar, double speed) {
   for (const Index a : bar.all()) bar.velocity(a, {0, 0, speed});
   model::RigidWall wall;
   wall.nodes = bar.all();
+  wall.origin = {0, 0, 0};
   wall.normal = {0, 0, 1};
   bar.model.walls.push_back(wall);
 }
