@@ -18,6 +18,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests/verification/make"))
 import make  # noqa: E402
+import statics  # noqa: E402
+from deck import Deck  # noqa: E402
 from mesh import mirrored, tetrahedra, wedges  # noqa: E402
 
 COLOURS = ("#1f4e9c", "#c4481b", "#2c7a3f", "#8a5a00", "#6b3fa0", "#777777")
@@ -100,12 +102,12 @@ def edge_loads(mesh, at, traction):
 def deck_of(case, form, control, quadratic, at, traction):
     """Text of a deck of make.py; quadratic meshes get their own loads in place of the ones for linear edges."""
     kept = {}
-    real = make.Deck.mesh
-    make.Deck.mesh = lambda deck, mesh: (kept.update(mesh=mesh), real(deck, mesh))
+    real = Deck.mesh
+    Deck.mesh = lambda deck, mesh: (kept.update(mesh=mesh), real(deck, mesh))
     try:
         text = case().text()
     finally:
-        make.Deck.mesh = real
+        Deck.mesh = real
     if quadratic:
         lines = text.split("\n")
         first = lines.index("*LOAD_NODE_POINT") + 1
@@ -118,7 +120,7 @@ def deck_of(case, form, control, quadratic, at, traction):
 def beam(program, form, control, split, cells):
     """Tip displacement over the closed form, cells across the depth."""
     depth, load = 12.0, 1000.0
-    case = lambda: make.bending_beam("beam", form, split, (4 * cells, cells), 1.0, poisson=0.3)
+    case = lambda: statics.bending_beam("beam", form, split, (4 * cells, cells), 1.0, poisson=0.3)
     exact = float(next(line for line in case().head if "expect" in line).split("node=")[1].split()[1])
     traction = lambda y: -load / (2 * depth ** 3 / 12) * (depth * depth / 4 - y * y)
     text = deck_of(case, form, control, form == 16, 48.0, traction)
@@ -132,7 +134,7 @@ def membrane(program, form, control, split, cells):
     """Tip displacement of Cook's membrane over the reference. Diagonals from upper left to lower right, except for
     wedges and quadratic tetrahedra, whose page quotes the other way."""
     turned = (lambda m: split(mirrored(m))) if form in (10, 13) else split
-    case = lambda: make.cook("cook", form, turned, cells, 7.695e-3, 1.0)
+    case = lambda: statics.cook("cook", form, turned, cells, 7.695e-3, 1.0)
     (tip,) = histories(program, deck_of(case, form, control, form == 16, 48.0, lambda y: 6.25e-3), "y_displacement")
     return tip[-1] / 7.695e-3
 
