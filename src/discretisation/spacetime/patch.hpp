@@ -50,6 +50,13 @@ struct PatchElement {
   std::int32_t material = 0;           ///< index of the part
 };
 
+/// The star of a vertex that many others of the mesh look like, as seen from the vertex.
+template <int D>
+struct StarShape {
+  /// Corners of each simplex other than the vertex, relative to it; order as in PatchElement. [length]
+  std::vector<std::array<std::array<double, D>, D>> corner;
+};
+
 template <int D>
 struct Patch {
   Vertex pole = -1;
@@ -59,6 +66,9 @@ struct Patch {
   /// i). An interior facet is listed by both its elements: same corners in the same order, exactly opposite
   /// normals.
   std::vector<Facet<D>> facets;
+  /// Under a vertical pole whose star is one of many: equal tents may share what is worked out for one of
+  /// them. Else null.
+  const StarShape<D>* shape = nullptr;
 };
 
 }  // namespace cleave::discretisation::spacetime

@@ -51,45 +51,13 @@ PatchStatus PatchSolver<D>::solve(const Patch<D>& patch, std::span<const Solutio
   for (const Facet<D>& f : patch.facets)
     if (f.kind == FacetKind::interior || f.kind == FacetKind::boundary) linear = linear && target(f).linear();
 
+  origin_ = {};
+  if (patch.shape && linear && choices.empty() && !problem_.body_force && !keep_matrix)
+    return solve_repeated(patch, older, out);
   for (iterations_ = 1;; ++iterations_) {
-    arena_.release();
-    unknowns_ = 0;
-    for (int e = 0; e < count_; ++e) {
-      const auto i = static_cast<std::size_t>(e);
-      const PatchElement<D>& element = patch.elements[i];
-      const SpaceChoice c = choice(element, i, choices);
-      if (!elements_[i].set(c, problem_.materials[static_cast<std::size_t>(element.material)],
-                            table(c, element.material), element.corner, element.volume, arena_))
-        return PatchStatus::degenerate;
-      unknowns_ += elements_[i].unknowns;
-    }
-    own_.resize(elements_.size()), rhs_.resize(elements_.size());
-    term_.resize(elements_.size()), links_of_.resize(elements_.size());
-    own_filled_.assign(elements_.size(), 0);
-    link_count_ = 0;
-    for (int e = 0; e < count_; ++e) {
-      const auto i = static_cast<std::size_t>(e);
-      const int n = elements_[i].unknowns;
-      // One lane more than needed: see sum_tables().
-      own_[i] = {arena_.take(static_cast<std::size_t>(n * padded(n) + 8)), n, n, padded(n)};
-      rhs_[i] = arena_.take(static_cast<std::size_t>(n));
-      term_[i].clear(), links_of_[i].clear();
-      assemble_volume(e);
-    }
-    star_change_ = star_size_ = 0.0;
-    star_count_ = 0;
-    for (std::size_t f = 0; f < patch.facets.size(); ++f) {
-      const Facet<D>& facet = patch.facets[f];
-      if (facet.kind == FacetKind::inflow) assemble_inflow(patch, facet, older[f]);
-      if (facet.kind == FacetKind::inflow || facet.kind == FacetKind::outflow || listed_before(facet))
-        continue;
-      if (is_vertical(facet)) {
-        assemble_vertical(facet, iterations_ > 1 ? out : std::span<Solution<D>>{});
-        continue;
-      }
-      const PatchStatus status = assemble_tilted(facet);
-      if (status != PatchStatus::solved) return status;
-    }
+    if (!begin(patch, choices)) return PatchStatus::degenerate;
+    const PatchStatus status = assemble(patch, older, iterations_ > 1 ? out : std::span<Solution<D>>{});
+    if (status != PatchStatus::solved) return status;
     // The star values of the last iterate have been compared with those before it while assembling.
     if (!linear && iterations_ > 1 && star_change_ <= star_tolerance * star_size_) return PatchStatus::solved;
     if (iterations_ > most_iterations) return PatchStatus::not_converged;
@@ -101,6 +69,55 @@ PatchStatus PatchSolver<D>::solve(const Patch<D>& patch, std::span<const Solutio
     displacements(patch, older, out);
     if (linear) return PatchStatus::solved;
   }
+}
+
+/// Local spaces, and what does not depend on facets.
+template <int D>
+bool PatchSolver<D>::begin(const Patch<D>& patch, std::span<const SpaceChoice> choices) {
+  arena_.release();
+  unknowns_ = 0;
+  for (int e = 0; e < count_; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    const PatchElement<D>& element = patch.elements[i];
+    const SpaceChoice c = choice(element, i, choices);
+    if (!elements_[i].set(c, problem_.materials[static_cast<std::size_t>(element.material)],
+                          table(c, element.material), element.corner, element.volume, arena_))
+      return false;
+    unknowns_ += elements_[i].unknowns;
+  }
+  own_.resize(elements_.size()), rhs_.resize(elements_.size());
+  term_.resize(elements_.size()), links_of_.resize(elements_.size()), given_.resize(elements_.size());
+  own_filled_.assign(elements_.size(), 0);
+  link_count_ = 0;
+  for (int e = 0; e < count_; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    const int n = elements_[i].unknowns;
+    // One lane more than needed: see sum_tables().
+    own_[i] = {arena_.take(static_cast<std::size_t>(n * padded(n) + 8)), n, n, padded(n)};
+    rhs_[i] = arena_.take(static_cast<std::size_t>(n));
+    term_[i].clear(), links_of_[i].clear(), given_[i].clear();
+    assemble_volume(e);
+  }
+  star_change_ = star_size_ = 0.0;
+  star_count_ = 0;
+  return true;
+}
+
+template <int D>
+PatchStatus PatchSolver<D>::assemble(const Patch<D>& patch, std::span<const Solution<D>* const> older,
+                                     std::span<const Solution<D>> now) {
+  for (std::size_t f = 0; f < patch.facets.size(); ++f) {
+    const Facet<D>& facet = patch.facets[f];
+    if (facet.kind == FacetKind::inflow) assemble_inflow(patch, facet, older[f]);
+    if (facet.kind == FacetKind::inflow || facet.kind == FacetKind::outflow || listed_before(facet)) continue;
+    if (is_vertical(facet)) {
+      assemble_vertical(facet, now);
+      continue;
+    }
+    const PatchStatus status = assemble_tilted(facet);
+    if (status != PatchStatus::solved) return status;
+  }
+  return PatchStatus::solved;
 }
 
 template class PatchSolver<1>;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "discretisation/spacetime/patch_operator.hpp"
 #include "discretisation/spacetime/quadrature.hpp"
 #include "discretisation/spacetime/space.hpp"
 #include "discretisation/spacetime/target.hpp"
@@ -61,7 +62,8 @@ class PatchSolver {
   int unknowns() const { return unknowns_; }      ///< of the last patch
   int iterations() const { return iterations_; }  ///< of the last patch; 1 if it was linear
   double flops() const { return flops_; }         ///< of the elimination of the last patch, counted by blocks
-  std::size_t scratch() const { return arena_.capacity(); }  ///< doubles
+  std::int64_t reused() const { return operators_.found(); }  ///< patches that found their operator
+  std::size_t scratch() const { return arena_.capacity(); }   ///< doubles
 
  private:
   static constexpr int NU = state_count<D>;
@@ -93,19 +95,33 @@ class PatchSolver {
     Functional emit;     ///< what this side sends
     double scale = 1.0;  ///< of the lift
   };
+  using Open = OpenFacet;
   /// Elements joined to one: waves out = h - S waves in, over the facets that are still open.
-  struct Open {
-    int wave = -1;            ///< that goes out
-    int row = 0, column = 0;  ///< its rows of S, and the columns of the wave that comes in
-    int out = 0, in = 0;      ///< their numbers
-  };
   struct Component {
     std::vector<Open> open, shared;  ///< shared: facets closed when its two parts were joined
     Block s;                         ///< [waves out][waves in, h]
     int first = -1, second = -1;     ///< the parts
     Block from_first, from_second;   ///< waves of the shared facets: [waves][waves in, h], h - G waves in
     bool joined = false;
+    /// For operators: (1 - S1 S2)^-1 (1, S1) and the parts of S1 and S2.
+    Block solve, second_on_first, first_rest_on_second, second_rest_on_first;
   };
+
+  /// Data of an element that its operator is made for: test functional times what is given on a facet.
+  struct Given {
+    Functional test;
+    double scale = 1.0;
+  };
+
+  PatchStatus solve_repeated(const Patch<D>& patch, std::span<const Solution<D>* const> older,
+                             std::span<Solution<D>> out);
+  void place(const Patch<D>& patch);
+  bool make_operator(const Patch<D>& patch, PatchOperator<D>& op);
+  void keep_elements(PatchOperator<D>& op);
+  void apply(const PatchOperator<D>& op, const Patch<D>& patch, std::span<const Solution<D>* const> older,
+             std::span<Solution<D>> out);
+  bool fits(const PatchOperator<D>& op, const Patch<D>& patch);
+  void put_columns(int element, const Functional& f, double scale, const Block& b, int column) const;
 
   SpaceChoice choice(const PatchElement<D>& element, std::size_t index,
                      std::span<const SpaceChoice> choices) const;
@@ -130,6 +146,9 @@ class PatchSolver {
   Interface<D> interface_of(const Facet<D>& facet) const;
   Matrix<NU> scaled_flux(const Facet<D>& facet) const;
 
+  bool begin(const Patch<D>& patch, std::span<const SpaceChoice> choices);
+  PatchStatus assemble(const Patch<D>& patch, std::span<const Solution<D>* const> older,
+                       std::span<const Solution<D>> now);
   void assemble_volume(int e);
   void assemble_inflow(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older);
   void assemble_vertical(const Facet<D>& facet, std::span<const Solution<D>> now);
@@ -147,17 +166,30 @@ class PatchSolver {
   bool condense(int e);
   void emitted(const Link& link, const Block& b, const Block& out);
   bool join(int first, int second);
+  bool condense_and_join();
   bool eliminate();
   void keep();
 
   void displacements(const Patch<D>& patch, std::span<const Solution<D>* const> older,
                      std::span<Solution<D>> out);
-  void rigid_motion(const Patch<D>& patch, int e, std::span<const Solution<D>* const> older,
-                    Solution<D>& out);
+  /// @param seen  the patch as the element's space sees it
+  void rigid_motion(const Patch<D>& seen, const Patch<D>& patch, int e,
+                    std::span<const Solution<D>* const> older, Solution<D>& out);
+  void settle(const typename PatchOperator<D>::Element& element, const Facet<D>& inflow, const double* u,
+              Solution<D>& out);
+  Block displacement_matrix(int e, const Facet<D>& inflow);
   void three_field_displacement(const Patch<D>& patch, const std::vector<int>& group,
                                 std::span<const Solution<D>* const> older, std::span<Solution<D>> out);
 
   const Problem<D>& problem_;
+  OperatorStore<D> operators_;
+  bool recording_ = false;  ///< an operator is being made: no data, but columns for them
+  Event<D> origin_{};       ///< of the coordinates of facets, for targets
+  Patch<D> placed_;         ///< a patch as seen from its foot, all of one shape with the same bits
+  std::vector<std::vector<Given>> given_;                             ///< [element], while recording
+  std::vector<double*> input_, part_out_, first_sent_, second_sent_;  ///< of apply()
+  std::vector<Block*> to_pack_;
+  typename OperatorStore<D>::Key key_;
   TargetPtr<D> bonded_;
   std::map<std::pair<int, int>, std::unique_ptr<TrefftzTable<D>>> tables_;  ///< by material and degree
   Arena arena_;

@@ -109,7 +109,7 @@ void PatchSolver<D>::emitted(const Link& link, const Block& b, const Block& out)
 template <int D>
 bool PatchSolver<D>::condense(int e) {
   const auto i = static_cast<std::size_t>(e);
-  const int n = elements_[i].unknowns, poly = elements_[i].polynomials;
+  const int n = elements_[i].unknowns;
   Component& c = components_[i];
   c.open.clear();
   c.joined = false;
@@ -124,45 +124,59 @@ bool PatchSolver<D>::condense(int e) {
     owner_[static_cast<std::size_t>(link.wave)] = e;
     wave_width_[static_cast<std::size_t>(link.wave)] = o.out;
   }
-  const int stride = padded(in + 1);
-  const Block b{arena_.take_raw(static_cast<std::size_t>(n * stride + 8)), n, in + 1, stride};
+  int given = 0;
+  for (const Given& g : given_[i]) given += g.test.rows * g.test.count;
+  const int columns = in + 1 + given, stride = padded(columns);
+  const Block b{arena_.take_raw(static_cast<std::size_t>(n * stride + 8)), n, columns, stride};
   for (std::size_t l = 0; l < c.open.size(); ++l) {
     const Link& link = links_[static_cast<std::size_t>(links_of_[i][l])];
-    const Functional& f = link.lift;
-    if (f.full.data) {
-      for (int k = 0; k < n; ++k) {
-        double* to = b.row(k) + c.open[l].column;
-        for (int j = 0; j < f.full.rows; ++j) to[j] = link.scale * f.full.row(j)[k];
-      }
-      continue;
-    }
-    // Whole lanes reach beyond the piece, into what is written after it.
-    for (int a = 0; a < NU; ++a)
-      for (int k = 0; k < poly; ++k)
-        for (int r = 0; r < f.rows; ++r) {
-          const Lanes s(link.scale * f.combination[r][a]);
-          double* to = b.row(a * poly + k) + c.open[l].column + r * f.count;
-          for (int j = 0; j < f.count; j += lane_count)
-            if (j + lane_count <= f.count)
-              store_any(s * Lanes::load(f.modes.row(k) + j), to + j);
-            else
-              for (int t = j; t < f.count; ++t) to[t] = link.scale * f.combination[r][a] * f.modes.row(k)[t];
-        }
+    put_columns(e, link.lift, link.scale, b, c.open[l].column);
+  }
+  int at = in + 1;
+  for (const Given& g : given_[i]) {
+    put_columns(e, g.test, g.scale, b, at);
+    at += g.test.rows * g.test.count;
   }
   for (int k = 0; k < n; ++k) {
     b.row(k)[in] = rhs_[i][k];
-    std::fill(b.row(k) + in + 1, b.row(k) + stride, 0.0);
+    std::fill(b.row(k) + columns, b.row(k) + stride, 0.0);
   }
   sum_tables(e);
   pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(n)));
   if (!factor(own_[i], pivot_.data())) return false;
   spacetime::solve(own_[i], pivot_.data(), b);
-  flops_ += 2.0 / 3.0 * n * n * n + product_flops(n, in + 1, n);
-  c.s = take_raw(arena_, out, in + 1);
+  flops_ += 2.0 / 3.0 * n * n * n + product_flops(n, columns, n);
+  c.s = take_raw(arena_, out, columns);
   for (std::size_t l = 0; l < c.open.size(); ++l)
     emitted(links_[static_cast<std::size_t>(links_of_[i][l])], b, rows_of(c.s, c.open[l].row, c.open[l].out));
   response_[i] = b;
+  c.s.columns = in + 1;  // what joins see
   return true;
+}
+
+/// Columns of b: scale times the transpose of a functional.
+template <int D>
+void PatchSolver<D>::put_columns(int e, const Functional& f, double scale, const Block& b, int column) const {
+  if (f.full.data) {
+    for (int k = 0; k < b.rows; ++k) {
+      double* to = b.row(k) + column;
+      for (int j = 0; j < f.full.rows; ++j) to[j] = scale * f.full.row(j)[k];
+    }
+    return;
+  }
+  const int poly = elements_[static_cast<std::size_t>(e)].polynomials;
+  for (int a = 0; a < NU; ++a)
+    for (int k = 0; k < poly; ++k)
+      for (int r = 0; r < f.rows; ++r) {
+        const double factor = scale * f.combination[r][a];
+        const Lanes s(factor);
+        double* to = b.row(a * poly + k) + column + r * f.count;
+        for (int j = 0; j < f.count; j += lane_count)
+          if (j + lane_count <= f.count)
+            store_any(s * Lanes::load(f.modes.row(k) + j), to + j);
+          else
+            for (int t = j; t < f.count; ++t) to[t] = factor * f.modes.row(k)[t];
+      }
 }
 
 /// Redheffer's star product. Over the common facets the first sends a = h1 - S1 (b, in1), the second
@@ -245,6 +259,13 @@ bool PatchSolver<D>::join(int first, int second) {
   pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(a_out)));
   if (!factor(m, pivot_.data())) return false;
   spacetime::solve(m, pivot_.data(), g);
+  if (recording_) {
+    C.solve = take(arena_, a_out, a_out + b_out);
+    for (int i = 0; i < a_out; ++i) C.solve.row(i)[i] = 1.0;
+    copy(aff, 0, 0, a_out, b_out, C.solve, 0, a_out);
+    spacetime::solve(m, pivot_.data(), C.solve);
+    C.second_on_first = bff, C.first_rest_on_second = arf, C.second_rest_on_first = brf;
+  }
   multiply_add(-1.0, bff, g, h);
   multiply_add(-1.0, arf, h, rows_of(C.s, 0, a_rest));
   multiply_add(-1.0, brf, g, rows_of(C.s, a_rest, b_rest));
@@ -258,7 +279,7 @@ bool PatchSolver<D>::join(int first, int second) {
 }
 
 template <int D>
-bool PatchSolver<D>::eliminate() {
+bool PatchSolver<D>::condense_and_join() {
   flops_ = 0.0;
   components_.resize(std::max(components_.size(), static_cast<std::size_t>(2 * count_)));
   response_.resize(components_.size());
@@ -289,6 +310,12 @@ bool PatchSolver<D>::eliminate() {
     for (const Open& o : components_[static_cast<std::size_t>(component_count_ - 1)].shared)
       owner_[static_cast<std::size_t>(o.wave)] = owner_[static_cast<std::size_t>(o.wave ^ 1)] = -1;
   }
+  return true;
+}
+
+template <int D>
+bool PatchSolver<D>::eliminate() {
+  if (!condense_and_join()) return false;
   // Back, the last join first: wave_[w] is what the sender of w sent.
   for (int i = component_count_ - 1; i >= count_; --i) {
     const Component& c = components_[static_cast<std::size_t>(i)];
@@ -366,6 +393,7 @@ Block PatchSolver<D>::written(const Functional& f, int element) {
   template void PatchSolver<D>::emitted(const Link&, const Block&, const Block&); \
   template bool PatchSolver<D>::condense(int);                                    \
   template bool PatchSolver<D>::join(int, int);                                   \
+  template bool PatchSolver<D>::condense_and_join();                              \
   template bool PatchSolver<D>::eliminate();                                      \
   template void PatchSolver<D>::keep();                                           \
   template Block PatchSolver<D>::written(const Functional&, int);

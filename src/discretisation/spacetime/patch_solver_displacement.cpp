@@ -12,7 +12,7 @@ void PatchSolver<D>::displacements(const Patch<D>& patch, std::span<const Soluti
                                    std::span<Solution<D>> out) {
   for (int e = 0; e < count_; ++e)
     if (out[static_cast<std::size_t>(e)].space.space != LocalSpace::three_field)
-      rigid_motion(patch, e, older, out[static_cast<std::size_t>(e)]);
+      rigid_motion(patch, patch, e, older, out[static_cast<std::size_t>(e)]);
   // Three-field elements exchange displacement through tilted facets only.
   bool tilted = false;
   for (const Facet<D>& f : patch.facets)
@@ -31,18 +31,19 @@ void PatchSolver<D>::displacements(const Patch<D>& patch, std::span<const Soluti
 /// The rigid motions carry neither velocity nor strain. They are those that bring the displacement closest to
 /// the older one on the inflow facets, weighted with |N_t|: the last term of (3.4).
 template <int D>
-void PatchSolver<D>::rigid_motion(const Patch<D>& patch, int e, std::span<const Solution<D>* const> older,
-                                  Solution<D>& out) {
+void PatchSolver<D>::rigid_motion(const Patch<D>& seen, const Patch<D>& patch, int e,
+                                  std::span<const Solution<D>* const> older, Solution<D>& out) {
   constexpr int r = rigid_count<D>;
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
   const Block normal = take(arena_, r, r), rhs = take(arena_, r, 1);
   const int nu = polynomial_count(D + 1, out.displacement_degree);
   for (std::size_t f = 0; f < patch.facets.size(); ++f) {
-    const Facet<D>& facet = patch.facets[f];
+    const Facet<D>& facet = seen.facets[f];
     if (facet.kind != FacetKind::inflow || facet.element != e) continue;
     // Both displacements and the rigid motions in the polynomials of degree one on the facet.
-    const double *before = trace_modes(patch, facet, older[f], out.displacement_degree, D + 1, true),
-                 *now = trace_modes(patch, facet, &out, out.displacement_degree, D + 1, true);
+    const double *before =
+                     trace_modes(patch, patch.facets[f], older[f], out.displacement_degree, D + 1, true),
+                 *now = trace_modes(patch, patch.facets[f], &out, out.displacement_degree, D + 1, true);
     const double weight = std::fabs(facet.normal[D]);
     constexpr int stride = padded(D + 1);
     double mode[r][D][D + 1] = {};
@@ -89,6 +90,20 @@ void PatchSolver<D>::rigid_motion(const Patch<D>& patch, int e, std::span<const 
       }
     }
   }
+}
+
+/// The displacement's matrix of an element that learns of others through its inflow facet only.
+template <int D>
+Block PatchSolver<D>::displacement_matrix(int e, const Facet<D>& inflow) {
+  const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
+  const int n = space.polynomials;
+  const Block matrix = take(arena_, n, n), &mass = FacetBasis<D>::get().mass(space.opposite(inflow.corner));
+  const auto derivative = space.derivatives(space.degree, space.degree, arena_);
+  const double weight = std::fabs(inflow.normal[D]);
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < n; ++b)
+      matrix.row(a)[b] = space.volume * derivative[D].row(a)[b] + weight * mass.row(a)[b];
+  return matrix;
 }
 
 /// int u^ (u,t - v) dV + int u^ (u* - u) N_t dS = 0, u* from the older element on inflow and from the earlier
@@ -188,13 +203,14 @@ void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::
   }
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                                           \
-  template void PatchSolver<D>::displacements(const Patch<D>&, std::span<const Solution<D>* const>,     \
-                                              std::span<Solution<D>>);                                  \
-  template void PatchSolver<D>::rigid_motion(const Patch<D>&, int, std::span<const Solution<D>* const>, \
-                                             Solution<D>&);                                             \
-  template void PatchSolver<D>::three_field_displacement(const Patch<D>&, const std::vector<int>&,      \
-                                                         std::span<const Solution<D>* const>,           \
+#define CLEAVE_INSTANTIATE(D)                                                                       \
+  template Block PatchSolver<D>::displacement_matrix(int, const Facet<D>&);                         \
+  template void PatchSolver<D>::displacements(const Patch<D>&, std::span<const Solution<D>* const>, \
+                                              std::span<Solution<D>>);                              \
+  template void PatchSolver<D>::rigid_motion(const Patch<D>&, const Patch<D>&, int,                 \
+                                             std::span<const Solution<D>* const>, Solution<D>&);    \
+  template void PatchSolver<D>::three_field_displacement(const Patch<D>&, const std::vector<int>&,  \
+                                                         std::span<const Solution<D>* const>,       \
                                                          std::span<Solution<D>>);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)

@@ -232,6 +232,10 @@ void PatchSolver<D>::assemble_inflow(const Patch<D>& patch, const Facet<D>& face
     all = functional(s, {&one, 1}, NU, s.count, false);
   add(s, all, functional(s, {&a, 1}, NU, s.count, false), s.trace.data ? s.scale : 1.0);
 
+  if (recording_) {
+    given_[static_cast<std::size_t>(facet.element)].push_back({all, s.trace.data ? s.scale : 1.0});
+    return;
+  }
   const double* state = trace_modes(patch, facet, older, space.degree, s.count, false);
   const int stride = padded(s.count);
   double* data = arena_.take(static_cast<std::size_t>(NU * stride));
@@ -309,6 +313,10 @@ void PatchSolver<D>::assemble_vertical(const Facet<D>& facet, std::span<const So
       l.emit = functional(s[k], combination_[1], D, shared, !linear);
     }
     if (facet.boundary < 0) continue;  // bonded: star values depend on traces alone
+    if (recording_) {
+      given_[static_cast<std::size_t>(facet.element)].push_back({test, area});
+      continue;
+    }
     const int stride = padded(s[k].count);
     double* data = arena_.take(static_cast<std::size_t>(D * stride));
     for (int q = 0; q < rule.rule->points; ++q) {

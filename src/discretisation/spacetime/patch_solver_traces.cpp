@@ -210,6 +210,8 @@ double PatchSolver<D>::star_values(const Facet<D>& facet, std::span<const Soluti
   const Target<D>& law = target(facet);
   const Interface<D> face = interface_of(facet);
   facet_points(facet, *facet_rule(points_per_direction(facet)).rule);
+  for (Event<D>& y : points_)
+    for (int k = 0; k <= D; ++k) y[k] += origin_[k];
   traces_.assign(points_.size(), Traces<D>{});
   for (int k = 0; k < (facet.neighbour >= 0 ? 2 : 1) && !solution.empty(); ++k) {
     const Solution<D>& from = solution[static_cast<std::size_t>(k == 0 ? facet.element : facet.neighbour)];

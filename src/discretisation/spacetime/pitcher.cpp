@@ -8,6 +8,12 @@
 namespace cleave::discretisation::spacetime {
 namespace {
 
+/// What a top on the lattice of times keeps of the allowed height. On a uniform mesh the front settles into
+/// few shapes by itself; where sizes change, only a coarse lattice brings the same shapes back.
+constexpr double kept_if_uniform = 0.9, kept_if_graded = 0.5;
+constexpr double lattice_over_shortest = 1.2;  ///< time of a wave along the shortest edge; measured
+constexpr int finest_step = 8;                 ///< of the lattice: 2^-8 of the height's power of two
+
 /// Volume over the volume of a corner of a cube with the longest edge: 1 at best in 1D, 0.87 in 2D, 0.71 in
 /// 3D.
 template <int D>
@@ -38,6 +44,21 @@ std::string complaint(const PitchOptions& options) {
 template <int D>
 Pitcher<D>::Pitcher(const SpaceMesh<D>& mesh, const PitchOptions& options) : mesh_(mesh), options_(options) {
   CLEAVE_ASSERT(complaint<D>(options).empty(), "options of the pitcher must be checked by the caller");
+  // A vertex that moves changes its star.
+  if (!options.repeat || options.smoothing > 0.0) return;
+  shapes_ = StarShapes<D>(mesh);
+  if (!shapes_.repeating()) return;
+  kept_ = shapes_.graded() ? kept_if_graded : kept_if_uniform;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (Simplex s = 0; s < mesh.simplex_count(); ++s)
+    for (std::size_t i = 1; i <= D; ++i)
+      shortest = std::min(shortest, distance(mesh.position()[static_cast<std::size_t>(mesh.simplex(s)[0])],
+                                             mesh.position()[static_cast<std::size_t>(mesh.simplex(s)[i])]) /
+                                        mesh.speed(s).fastest);
+  // So few bits that multiples are exact, whatever the unit of length.
+  int exponent = 0;
+  const double share = std::frexp(lattice_over_shortest * shortest, &exponent);
+  lattice_ = std::ldexp(std::round(std::ldexp(share, 16)), exponent - 16);
 }
 
 template <int D>
@@ -90,13 +111,19 @@ double Pitcher<D>::limit(const Front<D>& front, Vertex v) const {
   return limit;
 }
 
-/// The height policy: factor, cap, and no slivers before the end.
+/// The height policy: factor, cap, lattice, and no slivers before the end.
 template <int D>
 double Pitcher<D>::top_time(double foot, double limit, double end_time) const {
   const double height = std::min(options_.height_factor * (limit - foot), options_.height_cap);
   const double top = foot + height, left = end_time - top;
   if (left <= 1e-12 * height) return end_time;
   if (left < 0.3 * height) return foot + 0.5 * (end_time - foot);
+  if (kept_ == 1.0 || !(height > 0.0)) return top;
+  double step = lattice_ * std::exp2(std::floor(std::log2(height / lattice_)));
+  for (int k = 0; k <= finest_step; ++k, step *= 0.5) {
+    const double on_lattice = std::floor(top / step) * step;
+    if (on_lattice - foot >= kept_ * height) return on_lattice;
+  }
   return top;
 }
 
@@ -117,7 +144,9 @@ Pole<D> Pitcher<D>::pitch(const Front<D>& front, Vertex v, double end_time) cons
 template <int D>
 Pole<D> Pitcher<D>::pitch_towards(const Front<D>& front, Vertex v, double end_time,
                                   Point<D> displacement) const {
-  Pole<D> pole{.vertex = v, .foot = front.event(v), .top = front.event(v), .inclined = false};
+  Pole<D> pole{
+      .vertex = v, .foot = front.event(v), .top = front.event(v), .inclined = false, .shape = nullptr};
+  if (kept_ < 1.0) pole.shape = shapes_.of(v);
   pole.top[D] = top_time(pole.foot[D], limit(front, v), end_time);
   const double height = pole.height();
   // What rounding leaves of a stalled vertex is no tent.

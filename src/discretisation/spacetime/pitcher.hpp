@@ -6,6 +6,7 @@
 
 #include "discretisation/spacetime/front.hpp"
 #include "discretisation/spacetime/progress.hpp"
+#include "discretisation/spacetime/star_shapes.hpp"
 
 namespace cleave::discretisation::spacetime {
 
@@ -16,6 +17,9 @@ struct PitchOptions {
   double height_factor = 1.0;                                   ///< of the allowed height, (0, 1] [-]
   double height_cap = std::numeric_limits<double>::infinity();  ///< of any tent [time]
   double smoothing = 0.0;  ///< fraction of the way to the mean of its neighbours a vertex moves per tent [-]
+  /// Where most stars of the mesh are alike, tops stand on a lattice of times, up to a few
+  /// tenths below what is allowed: then tents are alike too, and their patches share what geometry decides.
+  bool repeat = true;
   double quality_floor = 0.1;  ///< moved simplices worse than this, and than before, are refused [-]
 };
 
@@ -29,6 +33,7 @@ struct Pole {
   Vertex vertex = -1;
   Event<D> foot, top;
   bool inclined = false;
+  const StarShape<D>* shape = nullptr;  ///< of a vertical pole, where tents repeat
   double height() const { return top[D] - foot[D]; }
 };
 
@@ -77,6 +82,9 @@ class Pitcher {
 
   const SpaceMesh<D>& mesh_;
   PitchOptions options_;
+  StarShapes<D> shapes_;
+  double kept_ = 1.0;     ///< least part of the allowed height that a top on the lattice keeps; 1: no lattice
+  double lattice_ = 0.0;  ///< its unit; steps are this times powers of two [time]
 };
 
 }  // namespace cleave::discretisation::spacetime

@@ -22,6 +22,7 @@ void build_patch(const SpaceMesh<D>& mesh, const Front<D>& front, const Pole<D>&
   patch.pole = pole.vertex;
   patch.foot = pole.foot;
   patch.top = pole.top;
+  patch.shape = pole.shape;
   patch.elements.resize(star.size());
   patch.facets.resize(star.size() * (D + 2));
 
