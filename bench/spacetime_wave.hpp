@@ -148,10 +148,12 @@ class Runner {
   Problem<2>& problem() { return problem_; }
   const SpaceMesh<2>& mesh() const { return mesh_; }
   std::function<PointState<2>(const Event<2>&)> initial;  ///< instead of the standing wave
+  bool repeat = false;                                    ///< tents repeat and share operators
 
   /// @param solve false: only the front, no fields
   Outcome run(double end, bool solve = true, ScheduleRecord* record = nullptr, bool verify = false) {
     PitchOptions options;
+    options.repeat = repeat;
     const Pitcher<2> pitcher(mesh_, options);
     Front<2> front = pitcher.level_front(0.0);
     under_.assign(static_cast<std::size_t>(mesh_.simplex_count()), {});

@@ -89,6 +89,30 @@ void product(int rows, int width, int depth, double sign, const double* a, std::
     row_band<Add, 1>(rows, depth, sign, a, by_row, by_column, b + j, b_stride, c + j, c_stride);
 }
 
+/// V lanes of y += sum_k x_k t_k. Few lanes take several rows at a time: a chain of sums would wait.
+template <int V>
+void add_rows(const double* t, std::ptrdiff_t stride, int rows, const double* x, double* y) {
+  constexpr int chains = V >= 6 ? 1 : (V >= 3 ? 2 : 4);
+  Lanes sum[chains][V];
+  for (int c = 0; c < chains; ++c)
+    for (int v = 0; v < V; ++v) sum[c][v] = Lanes(0.0);
+  int k = 0;
+  for (; k + chains <= rows; k += chains)
+    for (int c = 0; c < chains; ++c) {
+      const Lanes s(x[k + c]);
+      const double* row = t + (k + c) * stride;
+      for (int v = 0; v < V; ++v) sum[c][v] = fma(s, Lanes::load(row + v * lane_count), sum[c][v]);
+    }
+  for (; k < rows; ++k)
+    for (int v = 0; v < V; ++v)
+      sum[0][v] = fma(Lanes(x[k]), Lanes::load(t + k * stride + v * lane_count), sum[0][v]);
+  for (int v = 0; v < V; ++v) {
+    Lanes all = Lanes::load(y + v * lane_count);
+    for (int c = 0; c < chains; ++c) all = all + sum[c][v];
+    all.store(y + v * lane_count);
+  }
+}
+
 /// Columns factored together before the rest of the matrix is updated, and rows solved together.
 constexpr int panel = 16, rows_at_once = lane_count;
 
@@ -228,6 +252,22 @@ void multiply(const Block& a, const Block& b, const Block& c) {
 
 void multiply_transposed(const Block& a, const Block& b, const Block& c) {
   product<false>(c.rows, c.stride, a.rows, 1.0, a.data, 1, a.stride, b.data, b.stride, c.data, c.stride);
+}
+
+void add_transposed(const double* t, std::ptrdiff_t stride, int inputs, int width, const double* x,
+                    double* y) {
+  int j = 0;
+  const auto widths = [&]<int V>() {
+    for (; j + V * lane_count <= width; j += V * lane_count) add_rows<V>(t + j, stride, inputs, x, y + j);
+  };
+  widths.operator()<10>();
+  widths.operator()<8>();
+  widths.operator()<6>();
+  widths.operator()<5>();
+  widths.operator()<4>();
+  widths.operator()<3>();
+  widths.operator()<2>();
+  widths.operator()<1>();
 }
 
 bool factor(const Block& a, int* pivot) {

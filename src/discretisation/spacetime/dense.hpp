@@ -70,6 +70,14 @@ void multiply(const Block& a, const Block& b, const Block& c);
 /// c = a^T b.
 void multiply_transposed(const Block& a, const Block& b, const Block& c);
 
+/// y += t^T x for one vector, over `width` columns, a multiple of eight. @param t [inputs][outputs], aligned
+void add_transposed(const double* t, std::ptrdiff_t stride, int inputs, int width, const double* x,
+                    double* y);
+/// The same over whole rows of t.
+inline void add_transposed(const Block& t, const double* x, double* y) {
+  add_transposed(t.data, t.stride, t.rows, t.stride, x, y);
+}
+
 /// LU with partial pivoting in place. False if a pivot vanishes. @param pivot [rows]
 bool factor(const Block& a, int* pivot);
 /// b <- a^-1 b for a factored a.

@@ -16,47 +16,6 @@ using base::Lanes;
 /// Memory for operators, shared out among the threads. [doubles]
 constexpr std::size_t operator_memory = std::size_t{1} << 27;
 
-/// V lanes of y += sum_k x_k t_k. Few lanes take several rows at a time: a chain of sums would wait.
-template <int V>
-void add_rows(const double* t, std::ptrdiff_t stride, int rows, const double* x, double* y) {
-  constexpr int chains = V >= 6 ? 1 : (V >= 3 ? 2 : 4);
-  Lanes sum[chains][V];
-  for (int c = 0; c < chains; ++c)
-    for (int v = 0; v < V; ++v) sum[c][v] = Lanes(0.0);
-  int k = 0;
-  for (; k + chains <= rows; k += chains)
-    for (int c = 0; c < chains; ++c) {
-      const Lanes s(x[k + c]);
-      const double* row = t + (k + c) * stride;
-      for (int v = 0; v < V; ++v) sum[c][v] = fma(s, Lanes::load(row + v * lane_count), sum[c][v]);
-    }
-  for (; k < rows; ++k)
-    for (int v = 0; v < V; ++v)
-      sum[0][v] = fma(Lanes(x[k]), Lanes::load(t + k * stride + v * lane_count), sum[0][v]);
-  for (int v = 0; v < V; ++v) {
-    Lanes all = Lanes::load(y + v * lane_count);
-    for (int c = 0; c < chains; ++c) all = all + sum[c][v];
-    all.store(y + v * lane_count);
-  }
-}
-
-/// y += t^T x over whole lanes. @param t [inputs][outputs]; @param y as long as a row of t
-void add_transposed(const Block& t, const double* x, double* y) {
-  int j = 0;
-  const auto widths = [&]<int V>() {
-    for (; j + V * lane_count <= t.stride; j += V * lane_count)
-      add_rows<V>(t.data + j, t.stride, t.rows, x, y + j);
-  };
-  widths.operator()<10>();
-  widths.operator()<8>();
-  widths.operator()<6>();
-  widths.operator()<5>();
-  widths.operator()<4>();
-  widths.operator()<3>();
-  widths.operator()<2>();
-  widths.operator()<1>();
-}
-
 /// Columns column .. column + columns of a, as rows.
 Block transposed(Arena& arena, const Block& a, int column, int columns) {
   const Block t = take(arena, columns, a.rows);
@@ -213,6 +172,7 @@ bool PatchSolver<D>::make_operator(const Patch<D>& patch, PatchOperator<D>& op) 
   for (auto& e : op.elements) {
     to_pack_.push_back(&e.respond);
     if (e.settle.data) to_pack_.push_back(&e.settle);
+    if (e.space.change.data) to_pack_.push_back(&e.space.change);
     if (e.space.choice.space == LocalSpace::one_field)
       to_pack_.push_back(&e.space.span), to_pack_.push_back(&e.space.undo);
   }
@@ -263,6 +223,7 @@ void PatchSolver<D>::keep_elements(PatchOperator<D>& op) {
       star_values(placed_.facets[f], {});
       op.maps.push_back(maps_[0]);
     }
+    if (to.space.choice.space == LocalSpace::trefftz) to.space.change = to.space.change_of_basis(arena_);
     if (to.space.choice.space == LocalSpace::three_field) {
       const Block matrix = displacement_matrix(e, inflow);
       const Block inverse = take(arena_, matrix.rows, matrix.rows);

@@ -129,30 +129,40 @@ double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet
     return out;
   }
   for (int& i : order) i -= i > opposite ? 1 : 0;
-  const Block &modes = FacetBasis<D>::get().modes(opposite), &turned = FacetBasis<D>::get().turned(order);
+  const Block& modes = FacetBasis<D>::get().modes(opposite);
   const int n = polynomial_count(D + 1, older->degree),
             nu = polynomial_count(D + 1, older->displacement_degree);
-  double* raw = arena_.take(static_cast<std::size_t>(rows * stride));
+  bool same_order = true;
+  std::array<int, D + 1> back{};
+  for (int i = 0; i <= D; ++i) {
+    same_order = same_order && order[static_cast<std::size_t>(i)] == i;
+    back[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;
+  }
+  // Renumbering corners keeps orthonormality: the transpose of a table is that of the way back.
+  const Block& turned = FacetBasis<D>::get().turned(back);
+  double *raw = arena_.take(static_cast<std::size_t>(rows * stride)),
+         *now = same_order ? raw : arena_.take(static_cast<std::size_t>(rows * stride));
   for (int r = first_row; r < last_row; ++r) {
     const double* coefficient = r < D ? older->displacement.data() + static_cast<std::ptrdiff_t>(r) * nu
                                       : older->fields.data() + static_cast<std::ptrdiff_t>(r - D) * n;
     double* to = raw + r * stride;
-    for (int a = 0; a < (r < D ? nu : n); ++a) axpy(stride, coefficient[a], modes.row(a), to);
+    add_transposed(modes.data, modes.stride, r < D ? nu : n, stride, coefficient, to);
     std::fill(to + count, to + stride, 0.0);
+    if (same_order) continue;
+    add_transposed(turned.data, turned.stride, count, stride, to, now + r * stride);
+    std::fill(now + r * stride + count, now + (r + 1) * stride, 0.0);
   }
-  for (int c = 0; c < count; ++c) {
-    double sum[rows];
-    for (int r = first_row; r < last_row; ++r) {
-      base::Lanes part(0.0);
-      for (int k = 0; k < stride; k += base::lane_count)
-        part = fma(base::Lanes::load(turned.row(c) + k), base::Lanes::load(raw + r * stride + k), part);
-      sum[r] = base::sum(part);
+  if (displacement) return now;
+  const base::Lanes root(std::sqrt(m.density));
+  for (int c = 0; c < stride; c += base::lane_count) {
+    for (int i = D; i < 2 * D; ++i)
+      (root * base::Lanes::load(now + i * stride + c)).store(out + i * stride + c);
+    for (int i = 0; i < strain_count<D>; ++i) {
+      base::Lanes sum(0.0);
+      for (int j = 0; j < strain_count<D>; ++j)
+        sum = fma(base::Lanes(m.to_energy[i][j]), base::Lanes::load(now + (2 * D + j) * stride + c), sum);
+      sum.store(out + (2 * D + i) * stride + c);
     }
-    if (displacement)
-      std::copy_n(sum, D, value);
-    else
-      energy_scaled(sum + D, sum + 2 * D);
-    for (int r = first_row; r < last_row; ++r) out[r * stride + c] = value[r];
   }
   return out;
 }

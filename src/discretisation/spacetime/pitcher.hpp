@@ -19,7 +19,7 @@ struct PitchOptions {
   double smoothing = 0.0;  ///< fraction of the way to the mean of its neighbours a vertex moves per tent [-]
   /// Where most stars of the mesh are alike, tops stand on a lattice of times, up to a few
   /// tenths below what is allowed: then tents are alike too, and their patches share what geometry decides.
-  bool repeat = true;
+  bool repeat = false;
   double quality_floor = 0.1;  ///< moved simplices worse than this, and than before, are refused [-]
 };
 

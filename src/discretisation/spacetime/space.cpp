@@ -12,7 +12,7 @@ template <int D>
 bool ElementSpace<D>::set(SpaceChoice c, const Elastic<D>& m, const TrefftzTable<D>* trefftz,
                           const std::array<Event<D>, D + 2>& corners, double size, Arena& arena) {
   choice = c, material = &m, table = trefftz, corner = corners, volume = size;
-  span = {}, undo = {};
+  span = {}, undo = {}, change = {};
   degree = field_degree(c);
   polynomials = polynomial_count(D + 1, degree);
   unknowns = unknown_count<D>(c);

@@ -27,12 +27,29 @@ struct TrefftzTable {
   Block fields;    ///< [state_count * monomials of degree P - 1][count], energy-scaled
   /// [function][monomials of degree P][columns]: u / L, then the energy-scaled fields, then padding.
   Block all;
-  static constexpr int columns = padded(D + state_count<D>);
+  static constexpr int components = D + state_count<D>, columns = padded(components);
   Arena memory;
   TrefftzTable(const Elastic<D>& material, int degree);
 
+  /// Coefficients of the sum of the functions times x. @param out [components][monomials], overwritten
+  /// @param scratch [components * spread()]
+  void sum(const double* x, double* scratch, const Block& out) const;
+  int spread() const { return spread_; }
+
  private:
   void orthonormalise();
+  void compress();
+
+  /// What functions add to eight monomials of one component. Monomials are sorted by the parity of their
+  /// exponents: isotropy leaves a function one parity in each component.
+  struct Piece {
+    int first = 0, count = 0;  ///< among the terms
+  };
+  std::vector<Piece> pieces_;  ///< [component][eight places]
+  std::vector<int> function_;  ///< [term]
+  Block terms_;                ///< [term][8]
+  std::vector<int> place_;     ///< [monomial]
+  int spread_ = 0;             ///< places
 };
 
 /// Monomials of D + 1 scaled coordinates up to `degree`, sorted by degree, eight points at a time.
@@ -73,6 +90,7 @@ struct ElementSpace {
   Block undo;  ///< one field, [unknowns][unknowns]: from the orthonormal unknowns to the first spanning set
   Event<D> centre{};
   double length = 0.0;  ///< L of the Trefftz functions
+  Block change;         ///< Trefftz, [monomials][polynomials] of degree P; no data: made when needed
 
   /// False if the element is degenerate.
   bool set(SpaceChoice choice, const Elastic<D>& material, const TrefftzTable<D>* table,
@@ -82,6 +100,9 @@ struct ElementSpace {
   /// The three-field space has no such displacement: its coefficients are zero on return.
   /// @param x [unknowns]
   void recover(const double* x, Arena& arena, Solution<D>& out) const;
+
+  /// Trefftz: the polynomials of the scaled monomials, for `change`.
+  Block change_of_basis(Arena& arena) const;
 
   /// Modes on a facet of the functions under `span`: [functions][modes]; or their values at the points times
   /// the roots of the weights.

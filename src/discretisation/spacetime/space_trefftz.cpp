@@ -254,6 +254,68 @@ TrefftzTable<D>::TrefftzTable(const Elastic<D>& material, int p) : degree(p) {
   for (int f = 0; f < count; ++f)
     for (int c = 0; c < state_count<D>; ++c)
       for (int a = 0; a < below; ++a) fields.row(c * below + a)[f] = entry(f, a, D + c);
+  compress();
+}
+
+template <int D>
+void TrefftzTable<D>::compress() {
+  const int n = polynomial_count(D + 1, degree);
+  const auto& list = exponents<D + 1>();
+  place_.assign(static_cast<std::size_t>(n), 0);
+  for (int parity = 0; parity < 1 << (D + 1); ++parity) {
+    for (int a = 0; a < n; ++a) {
+      int own = 0;
+      for (int k = 0; k <= D; ++k)
+        own |= (list[static_cast<std::size_t>(a)][static_cast<std::size_t>(k)] & 1) << k;
+      if (own == parity) place_[static_cast<std::size_t>(a)] = spread_++;
+    }
+    spread_ = padded(spread_);
+  }
+  // Rounding of the orthonormalisation is no term.
+  double largest = 0.0;
+  for (int i = 0; i < count * all.stride; ++i) largest = std::max(largest, std::fabs(all.data[i]));
+  std::vector<std::array<double, lane_count>> terms;
+  for (int c = 0; c < components; ++c)
+    for (int first = 0; first < spread_; first += lane_count) {
+      Piece piece{static_cast<int>(terms.size()), 0};
+      for (int f = 0; f < count; ++f) {
+        std::array<double, lane_count> term{};
+        bool any = false;
+        for (int a = 0; a < n; ++a) {
+          const int at = place_[static_cast<std::size_t>(a)] - first;
+          const double value = all.row(f)[a * columns + c];
+          if (at < 0 || at >= lane_count || std::fabs(value) < 1e-15 * largest) continue;
+          term[static_cast<std::size_t>(at)] = value, any = true;
+        }
+        if (!any) continue;
+        terms.push_back(term), function_.push_back(f), ++piece.count;
+      }
+      pieces_.push_back(piece);
+    }
+  terms_ = take(memory, static_cast<int>(terms.size()), lane_count);
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    std::copy(terms[t].begin(), terms[t].end(), terms_.row(static_cast<int>(t)));
+}
+
+template <int D>
+void TrefftzTable<D>::sum(const double* x, double* scratch, const Block& out) const {
+  double* to = scratch;
+  for (const Piece& piece : pieces_) {
+    base::Lanes even(0.0), odd(0.0);
+    const double* term = terms_.row(piece.first);
+    const int* function = &function_[static_cast<std::size_t>(piece.first)];
+    int t = 0;
+    for (; t + 2 <= piece.count; t += 2, term += 2 * lane_count) {
+      even = fma(base::Lanes(x[function[t]]), base::Lanes::load(term), even);
+      odd = fma(base::Lanes(x[function[t + 1]]), base::Lanes::load(term + lane_count), odd);
+    }
+    if (t < piece.count) even = fma(base::Lanes(x[function[t]]), base::Lanes::load(term), even);
+    (even + odd).store(to);
+    to += lane_count;
+  }
+  for (int c = 0; c < components; ++c)
+    for (int a = 0; a < out.columns; ++a)
+      out.row(c)[a] = scratch[c * spread_ + place_[static_cast<std::size_t>(a)]];
 }
 
 /// Cholesky on the mean energy product, twice: the first round leaves the error of its own conditioning.
@@ -320,30 +382,49 @@ Block ElementSpace<D>::trefftz_modes(const std::array<Event<D>, D + 1>& corners,
   return modes;
 }
 
+template <int D>
+Block ElementSpace<D>::change_of_basis(Arena& arena) const {
+  const auto& nodes = NodeTable<D + 1>::of(choice.degree);
+  const Block value = monomials_at<D>(*this, corner.data(), D + 2, nodes.coordinate, choice.degree, arena);
+  const Block out = take_raw(arena, value.rows, value.rows);
+  multiply(value, nodes.restore, out);
+  return out;
+}
+
 /// Sums the table to monomials, evaluates those at nodes, restores the coefficients from the values.
 template <int D>
 void ElementSpace<D>::recover_trefftz(const double* x, Arena& arena, Solution<D>& out) const {
-  constexpr int columns = TrefftzTable<D>::columns;
+  constexpr int components = TrefftzTable<D>::components;
   const int n = polynomials, nu = polynomial_count(D + 1, choice.degree);
-  const auto& nodes = NodeTable<D + 1>::of(choice.degree);
-  const Block monomial = take(arena, nu, columns), at_node = take_raw(arena, nu, columns),
-              coefficient = take_raw(arena, nu, columns);
-  multiply({const_cast<double*>(x), 1, unknowns, unknowns}, table->all,
-           {monomial.data, 1, nu * columns, nu * columns});
-  const Block value = monomials_at<D>(*this, corner.data(), D + 2, nodes.coordinate, choice.degree, arena);
-  multiply_transposed(value, monomial, at_node);
-  multiply_transposed(nodes.restore, at_node, coefficient);
+  const Block monomial = take_raw(arena, components, nu), u = take_raw(arena, D, nu),
+              w = take_raw(arena, state_count<D>, n);
+  table->sum(x, arena.take_raw(static_cast<std::size_t>(components * table->spread())), monomial);
+  const Block of_u{monomial.data, D, nu, monomial.stride},
+      of_w{monomial.row(D), state_count<D>, n, monomial.stride};  // one degree less
+  if (change.data) {
+    multiply(of_u, change, u);
+    multiply(of_w, {change.data, n, n, change.stride}, w);
+  } else {
+    const auto& nodes = NodeTable<D + 1>::of(choice.degree);
+    const Block value = monomials_at<D>(*this, corner.data(), D + 2, nodes.coordinate, choice.degree, arena),
+                u_at = take_raw(arena, D, nu), w_at = take_raw(arena, state_count<D>, nu);
+    multiply(of_u, value, u_at);
+    multiply(of_w, {value.data, n, nu, value.stride}, w_at);
+    multiply(u_at, nodes.restore, u);
+    multiply(w_at, nodes.restore, w);
+  }
   const double scale = 1.0 / std::sqrt(volume), root = 1.0 / std::sqrt(material->density);
-  for (int a = 0; a < nu; ++a)
-    for (int i = 0; i < D; ++i)
-      out.displacement[static_cast<std::size_t>(i * nu + a)] = scale * length * coefficient.row(a)[i];
-  for (int a = 0; a < n; ++a) {
-    const double* w = coefficient.row(a) + D;
-    for (int i = 0; i < D; ++i) out.fields[static_cast<std::size_t>(i * n + a)] = scale * root * w[i];
-    for (int c = 0; c < strain_count<D>; ++c) {
-      double sum = 0.0;
-      for (int d = 0; d < strain_count<D>; ++d) sum += material->from_energy[c][d] * w[D + d];
-      out.fields[static_cast<std::size_t>((D + c) * n + a)] = scale * sum;
+  for (int i = 0; i < D; ++i)
+    for (int a = 0; a < nu; ++a)
+      out.displacement[static_cast<std::size_t>(i * nu + a)] = scale * length * u.row(i)[a];
+  for (int i = 0; i < D; ++i)
+    for (int a = 0; a < n; ++a) out.fields[static_cast<std::size_t>(i * n + a)] = scale * root * w.row(i)[a];
+  for (int c = 0; c < strain_count<D>; ++c) {
+    double* to = out.fields.data() + static_cast<std::ptrdiff_t>((D + c) * n);
+    for (int d = 0; d < strain_count<D>; ++d) {
+      const double s = scale * material->from_energy[c][d];
+      if (s == 0.0) continue;
+      for (int a = 0; a < n; ++a) to[a] += s * w.row(D + d)[a];
     }
   }
 }
@@ -354,6 +435,7 @@ void ElementSpace<D>::recover_trefftz(const double* x, Arena& arena, Solution<D>
   template struct NodeTable<D + 1>;                                                                         \
   template Block ElementSpace<D>::trefftz_modes(const std::array<Event<D>, D + 1>&, const FacetRule&, bool, \
                                                 Arena&) const;                                              \
+  template Block ElementSpace<D>::change_of_basis(Arena&) const;                                            \
   template void ElementSpace<D>::recover_trefftz(const double*, Arena&, Solution<D>&) const;
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)

@@ -1,0 +1,156 @@
+// Patches over tents that repeat share an operator: the same solution, the same bits in any order.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+
+#include "base/threads.hpp"
+#include "discretisation/spacetime/scheduler.hpp"
+#include "spacetime_waves.hpp"
+
+namespace cleave::discretisation::spacetime::test {
+namespace {
+
+/// The unit square in n x n squares of two triangles; coordinates that are no binary fractions.
+SpaceMesh<2> grid(int n, const Elastic<2>& m, double jiggle = 0.0) {
+  SpaceMeshInput<2> input;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const bool inside = i > 0 && j > 0 && i < n && j < n;
+      const double off = inside ? jiggle / n * std::sin(12.9898 * i + 78.233 * j) : 0.0;
+      input.vertex.push_back({0.7 * (i / double(n) + off), 0.7 * (j / double(n) - off)});
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Vertex a = j * (n + 1) + i;
+      input.simplex.push_back({a, a + 1, a + n + 2}), input.simplex.push_back({a, a + n + 2, a + n + 1});
+    }
+  input.material.assign(input.simplex.size(), 0);
+  input.speed = {{m.fastest, 0.5 * m.fastest}};
+  SpaceMesh<2> mesh;
+  const MeshFault fault = mesh.build(input);
+  EXPECT_TRUE(fault.ok) << fault.what;
+  return mesh;
+}
+
+struct Advance {
+  std::int64_t patches = 0, reused = 0;
+  double momentum = 0.0, energy = 0.0;
+  double difference = 0.0;           ///< to each patch solved alone, relative
+  std::vector<double> coefficients;  ///< at the end
+};
+
+Advance advance(const SpaceMesh<2>& mesh, const Elastic<2>& m, SpaceChoice space, double end, bool alone) {
+  Problem<2> problem;
+  problem.materials = {m};
+  problem.spaces = {space};
+  const auto list = smooth_waves<2>(6.0);
+  problem.initial = [&](Simplex, const Event<2>& y) { return waves<2>(list, y); };
+  const auto velocity = make_velocity<2>([&](const Event<2>& y) { return waves<2>(list, y).v; });
+  const auto free = make_traction<2>({});
+  for (const auto& face : mesh.boundary())
+    problem.targets.push_back(face.normal[0] > 0.5 ? free.get() : velocity.get());
+  PitchOptions options;
+  options.repeat = true;
+  const Pitcher<2> pitcher(mesh, options);
+  Front<2> front = pitcher.level_front(0.0);
+  std::vector<Solution<2>> under(static_cast<std::size_t>(mesh.simplex_count()));
+  std::mutex guard;
+  std::vector<std::unique_ptr<PatchSolver<2>>> idle;
+  Advance run;
+  const FrontStatus status =
+      Scheduler<2>(pitcher, {.verify = true}).advance(front, end, [&](const Patch<2>& patch) {
+        std::unique_ptr<PatchSolver<2>> solver;
+        {
+          const std::lock_guard lock(guard);
+          if (!idle.empty()) solver = std::move(idle.back()), idle.pop_back();
+        }
+        if (!solver) solver = std::make_unique<PatchSolver<2>>(problem);
+        std::vector<const Solution<2>*> older(patch.facets.size(), nullptr);
+        for (std::size_t f = 0; f < older.size(); ++f) {
+          const auto e = static_cast<std::size_t>(patch.facets[f].element);
+          const auto& below = under[static_cast<std::size_t>(patch.elements[e].simplex)];
+          if (patch.facets[f].kind == FacetKind::inflow && below.material) older[f] = &below;
+        }
+        std::vector<Solution<2>> out(patch.elements.size());
+        const PatchStatus solved = solver->solve(patch, older, out);
+        Verify check;
+        solver->verify(patch, older, out, check);
+        double difference = 0.0, size = 0.0;
+        if (alone) {
+          Patch<2> same = patch;
+          same.shape = nullptr;
+          std::vector<Solution<2>> other(patch.elements.size());
+          EXPECT_EQ(solver->solve(same, older, other), PatchStatus::solved);
+          for (std::size_t e = 0; e < out.size(); ++e) {
+            for (std::size_t a = 0; a < out[e].fields.size(); ++a) {
+              difference = std::max(difference, std::fabs(out[e].fields[a] - other[e].fields[a]));
+              size = std::max(size, std::fabs(other[e].fields[a]));
+            }
+            for (std::size_t a = 0; a < out[e].displacement.size(); ++a)
+              difference = std::max(difference, std::fabs(out[e].displacement[a] - other[e].displacement[a]));
+          }
+        }
+        for (std::size_t e = 0; e < out.size(); ++e)
+          under[static_cast<std::size_t>(patch.elements[e].simplex)] = std::move(out[e]);
+        const std::lock_guard lock(guard);
+        run.momentum = std::max(run.momentum, check.momentum);
+        run.energy = std::max(run.energy, check.energy);
+        if (alone) run.difference = std::max(run.difference, difference / size);
+        idle.push_back(std::move(solver));
+        return Verdict{solved == PatchStatus::solved ? Verdict::accept : Verdict::fail};
+      });
+  EXPECT_TRUE(status.ok) << status.what;
+  run.patches = status.patches;
+  for (const auto& solver : idle) run.reused += solver->reused();
+  for (const auto& u : under) {
+    run.coefficients.insert(run.coefficients.end(), u.fields.begin(), u.fields.end());
+    run.coefficients.insert(run.coefficients.end(), u.displacement.begin(), u.displacement.end());
+  }
+  return run;
+}
+
+TEST(SpacetimeRepeat, SharedOperatorsSolveThePatch) {
+  Elastic<2> m;
+  ASSERT_EQ(make_isotropic<2>(1.0, 2.5, 0.25, PlaneKind::strain, m), "");
+  const SpaceMesh<2> mesh = grid(7, m);
+  for (const SpaceChoice space :
+       {SpaceChoice{LocalSpace::one_field, 3}, {LocalSpace::three_field, 2}, {LocalSpace::trefftz, 3}}) {
+    const Advance run = advance(mesh, m, space, 0.6, true);
+    std::printf("space %d: %lld patches, %lld found their operator, differences to patches alone %.1e\n",
+                static_cast<int>(space.space), static_cast<long long>(run.patches),
+                static_cast<long long>(run.reused), run.difference);
+    EXPECT_GT(run.reused, run.patches / 3);
+    EXPECT_LT(run.difference, 1e-11);
+    EXPECT_LT(run.momentum, 3e-14);
+    EXPECT_LT(run.energy, 3e-14);
+  }
+}
+
+TEST(SpacetimeRepeat, SameBitsForAnyNumberOfThreads) {
+  Elastic<2> m;
+  ASSERT_EQ(make_isotropic<2>(1.0, 2.5, 0.25, PlaneKind::strain, m), "");
+  const SpaceMesh<2> mesh = grid(7, m);
+  Advance first;
+  for (const int threads : {1, 2, 3, 7}) {
+    base::set_thread_count(threads);
+    Advance run = advance(mesh, m, {LocalSpace::trefftz, 3}, 0.6, false);
+    base::set_thread_count(1);
+    if (threads == 1)
+      first = std::move(run);
+    else
+      EXPECT_EQ(first.coefficients, run.coefficients) << threads << " threads";
+  }
+}
+
+TEST(SpacetimeRepeat, MeshesWithoutPatternShareNothing) {
+  Elastic<2> m;
+  ASSERT_EQ(make_isotropic<2>(1.0, 2.5, 0.25, PlaneKind::strain, m), "");
+  EXPECT_TRUE(StarShapes<2>(grid(7, m)).repeating());
+  EXPECT_FALSE(StarShapes<2>(grid(7, m)).graded());
+  const Advance run = advance(grid(7, m, 0.1), m, {LocalSpace::trefftz, 2}, 0.2, false);
+  EXPECT_EQ(run.reused, 0);
+}
+
+}  // namespace
+}  // namespace cleave::discretisation::spacetime::test
