@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Error against cost of the spacetime method's local spaces, as a table and a figure.
 
-usage: spacetime_efficiency.py BENCH_DIRECTORY FIGURE.svg [--spectral SEM2D.cpp] [--end TIME] [--longest SECONDS]
+usage: spacetime_efficiency.py BENCH_DIRECTORY FIGURE.svg [--spectral SEM2D.cpp] [--end TIME] [--longest SECONDS] [--repeat]
 
 BENCH_DIRECTORY holds the built programs. With --spectral the reference is compiled in a scratch folder and run on the
 same standing wave. Costs at equal error are interpolated between meshes on logarithmic scales.
@@ -17,9 +17,12 @@ COLOUR = {"one_field": "#b3541e", "three_fields": "#1f5a8a", "trefftz": "#2f7d32
 NAME = {"one_field": "one field", "three_fields": "three fields", "trefftz": "Trefftz", "spectral": "spectral elements"}
 
 
-def study(program, end, longest):
+def study(program, end, longest, repeat):
     """{(space, degree): [(seconds, energy error, microseconds per patch)]}"""
-    lines = subprocess.run([program, str(end), str(longest)], check=True, capture_output=True, text=True).stdout.split("\n")[1:]
+    lines = []
+    for space in "012":
+        words = [program, str(end), str(longest), "1" if repeat else "0", space]
+        lines += subprocess.run(words, check=True, capture_output=True, text=True).stdout.split("\n")[1:]
     runs = {}
     for line in filter(None, lines):
         space, degree, _, _, us, seconds, _, energy, momentum, balance = line.split()
@@ -29,16 +32,16 @@ def study(program, end, longest):
     return runs
 
 
-def spectral(source, end):
-    """[(n, seconds, displacement error)] of order 4 in space and time"""
+def spectral(source, end, finest=1):
+    """[(n, seconds, displacement error)] of order 4 in space and time; the step is that of elements `finest` times smaller"""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "sem"
         subprocess.run(["c++", "-O3", "-march=native", "-o", program, source], check=True)
         points = []
         for n in (4, 6, 8, 12, 16, 24):
-            tries = [subprocess.run([program, "4", str(n), str(end), "0.9", "4"], check=True, capture_output=True, text=True).stdout
-                     for _ in range(5)]
-            seconds = sorted(float(re.search(r"cpu=([\d.e+-]+)", t)[1]) for t in tries)[2]
+            tries = [subprocess.run([program, "4", str(n), str(end), str(0.9 / finest), "4"], check=True, capture_output=True, text=True).stdout
+                     for _ in range(5 if finest == 1 else 1)]
+            seconds = sorted(float(re.search(r"cpu=([\d.e+-]+)", t)[1]) for t in tries)[len(tries) // 2]
             points.append((n, seconds, float(re.search(r"relL2=([\d.e+-]+)", tries[0])[1])))
         return points
 
@@ -87,8 +90,9 @@ def main():
     parser.add_argument("--spectral", type=Path)
     parser.add_argument("--end", type=float, default=0.5)
     parser.add_argument("--longest", type=float, default=3.0)
+    parser.add_argument("--repeat", action="store_true", help="tents repeat and share their operators")
     args = parser.parse_args()
-    runs = study(args.bench / "bench_spacetime_efficiency", args.end, args.longest)
+    runs = study(args.bench / "bench_spacetime_efficiency", args.end, args.longest, args.repeat)
     figure(runs, args.figure)
     print("| p | us a patch: one field | three fields | Trefftz | at energy error | one / three fields | three fields / Trefftz |")
     print("|---|---|---|---|---|---|---|")
@@ -103,8 +107,10 @@ def main():
               f"{cost[0] / cost[1]:.1f} | {cost[1] / cost[2]:.1f} |")
     if args.spectral:
         print("\nspectral elements of degree 4, order 4 in time, to time 2: n, seconds, displacement error")
-        for n, seconds, error in spectral(args.spectral, 2.0):
-            print(f"{n:3d} {seconds:.4f} {error:.2e}")
+        for finest in (1, 20, 32):
+            print(f"steps of elements {finest} times smaller:")
+            for n, seconds, error in spectral(args.spectral, 2.0, finest):
+                print(f"{n:3d} {seconds:.4f} {error:.2e}")
 
 
 if __name__ == "__main__":

@@ -186,6 +186,68 @@ bool factor_lane(const Block& a, int first, int last, int* pivot) {
   return true;
 }
 
+/// Multipliers of a factorisation without exchanges beyond which digits are lost.
+constexpr double largest_multiplier = 256.0;
+
+/// The columns of one lane from row `first` on without exchanges: the block on the diagonal, then the rows
+/// below times the inverse of its upper triangle.
+bool factor_block(const Block& a, int first, int last) {
+  const int m = last - first;
+  // In registers; a block of fewer rows is completed to a unit matrix.
+  Lanes x[lane_count], right[lane_count];
+  double inverse[lane_count];
+  for (int i = 0; i < lane_count; ++i) {
+    right[i] = Lanes(0.0);
+    right[i].set(i, 1.0);
+    x[i] = i < m ? Lanes::load(a.row(first + i) + first) : right[i];
+    for (int k = m; i < m && k < lane_count; ++k) x[i].set(k, 0.0);
+  }
+  bool fine = true;
+#pragma GCC unroll 8
+  for (int j = 0; j < lane_count; ++j) {
+    base::Mask here{};
+    here.v[j] = -1;
+    fine = fine && std::fabs(x[j][j]) > 0.0;
+    inverse[j] = 1.0 / x[j][j];
+    Lanes upper = x[j];
+#pragma GCC unroll 8
+    for (int k = 0; k <= j; ++k) upper.set(k, 0.0);
+#pragma GCC unroll 8
+    for (int i = j + 1; i < lane_count; ++i) {
+      const double s = x[i][j] * inverse[j];
+      fine = fine && std::fabs(s) <= largest_multiplier;
+      x[i] = select(here, Lanes(s), fma(Lanes(-s), upper, x[i]));
+    }
+  }
+  if (!fine) return false;
+  for (int i = 0; i < m; ++i) x[i].store(a.row(first + i) + first);
+    // The inverse of the upper triangle.
+#pragma GCC unroll 8
+  for (int k = lane_count - 1; k >= 0; --k) {
+#pragma GCC unroll 8
+    for (int l = k + 1; l < lane_count; ++l) right[k] = fma(Lanes(-x[k][l]), right[l], right[k]);
+    right[k] = right[k] * Lanes(inverse[k]);
+  }
+  Lanes worst(0.0);
+  const auto rows = [&]<int R>(int i) {
+    Lanes sum[R];
+    for (int r = 0; r < R; ++r) sum[r] = Lanes(0.0);
+    for (int k = 0; k < m; ++k)
+      for (int r = 0; r < R; ++r) sum[r] = fma(Lanes(a.row(i + r)[first + k]), right[k], sum[r]);
+    for (int r = 0; r < R; ++r) {
+      worst = max(worst, max(sum[r], -sum[r]));
+      sum[r].store(a.row(i + r) + first);
+    }
+  };
+  int i = last;
+  for (; i + 8 <= a.rows; i += 8) rows.template operator()<8>(i);
+  for (; i + 2 <= a.rows; i += 2) rows.template operator()<2>(i);
+  for (; i < a.rows; ++i) rows.template operator()<1>(i);
+  for (int k = 0; k < m; ++k)
+    if (!(worst[k] <= largest_multiplier)) return false;
+  return true;
+}
+
 }  // namespace
 
 void Arena::Free::operator()(double* p) const {
@@ -270,6 +332,27 @@ void add_transposed(const double* t, std::ptrdiff_t stride, int inputs, int widt
   widths.operator()<1>();
 }
 
+bool factor_definite(const Block& a, int* pivot) {
+  const int n = a.rows;
+  for (int i = 0; i < n; ++i) pivot[i] = i;
+  for (int first = 0; first < n; first += panel) {
+    const int middle = std::min(first + lane_count, n), last = std::min(first + panel, n);
+    if (!factor_block(a, first, middle)) return false;
+    if (last > middle) {
+      solve_lower_rows(a, first, middle, a, middle, lane_count);
+      product(n - middle, lane_count, middle - first, -1.0, a.row(middle) + first, a.stride, 1,
+              a.row(first) + middle, a.stride, a.row(middle) + middle, a.stride);
+      if (!factor_block(a, middle, last)) return false;
+    }
+    const int right = a.stride - first - panel;
+    if (right <= 0) continue;
+    solve_lower_rows(a, first, last, a, first + panel, right);
+    product(n - last, right, last - first, -1.0, a.row(last) + first, a.stride, 1,
+            a.row(first) + first + panel, a.stride, a.row(last) + first + panel, a.stride);
+  }
+  return true;
+}
+
 bool factor(const Block& a, int* pivot) {
   const int n = a.rows;
   for (int first = 0; first < n; first += panel) {
@@ -304,67 +387,6 @@ void solve(const Block& a, const int* pivot, const Block& b) {
       solve_upper<R>(a.row(first) + first, a.stride, b.row(first), b.stride, b.stride);
     });
   }
-}
-
-bool cholesky(const Block& a) {
-  const int n = a.rows;
-  for (int k = 0; k < n; ++k) {
-    double* pivot = a.row(k);
-    if (!(pivot[k] > 0.0)) return false;
-    const double inverse = 1.0 / std::sqrt(pivot[k]);
-    for (int j = 0; j < k; ++j) pivot[j] = 0.0;
-    for (int j = k / lane_count * lane_count; j < a.stride; j += lane_count)
-      (Lanes::load(pivot + j) * Lanes(inverse)).store(pivot + j);
-    for (int i = k + 1; i < n; ++i) {
-      const int from = i / lane_count * lane_count;
-      axpy(a.stride - from, -pivot[i], pivot + from, a.row(i) + from);
-    }
-  }
-  return true;
-}
-
-void invert_upper(const Block& u, const Block& out) {
-  for (int i = u.rows - 1; i >= 0; --i) {
-    double* row = out.row(i);
-    row[i] = 1.0;
-    for (int k = i + 1; k < u.rows; ++k) {
-      const int from = k / lane_count * lane_count;
-      axpy(u.stride - from, -u.row(i)[k], out.row(k) + from, row + from);
-    }
-    const double inverse = 1.0 / u.row(i)[i];
-    for (int j = 0; j < u.stride; ++j) row[j] *= inverse;
-  }
-}
-
-void symmetric_eigen(int n, double* a, double* value, double* vector) {
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) vector[i * n + j] = i == j ? 1.0 : 0.0;
-  for (int sweep = 0; sweep < 60; ++sweep) {
-    double off = 0.0, all = 0.0;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) (i == j ? all : off) += a[i * n + j] * a[i * n + j];
-    if (off <= 1e-34 * all || off == 0.0) break;
-    for (int p = 0; p < n; ++p)
-      for (int q = p + 1; q < n; ++q) {
-        if (a[p * n + q] == 0.0) continue;
-        const double theta = (a[q * n + q] - a[p * n + p]) / (2.0 * a[p * n + q]);
-        const double t = (theta >= 0.0 ? 1.0 : -1.0) / (std::fabs(theta) + std::sqrt(theta * theta + 1.0));
-        const double c = 1.0 / std::sqrt(t * t + 1.0), s = t * c;
-        for (int k = 0; k < n; ++k) {
-          const double x = a[k * n + p], y = a[k * n + q];
-          a[k * n + p] = c * x - s * y, a[k * n + q] = s * x + c * y;
-        }
-        for (int k = 0; k < n; ++k) {
-          const double x = a[p * n + k], y = a[q * n + k];
-          a[p * n + k] = c * x - s * y, a[q * n + k] = s * x + c * y;
-        }
-        for (int k = 0; k < n; ++k) {
-          const double x = vector[k * n + p], y = vector[k * n + q];
-          vector[k * n + p] = c * x - s * y, vector[k * n + q] = s * x + c * y;
-        }
-      }
-  }
-  for (int i = 0; i < n; ++i) value[i] = a[i * n + i];
 }
 
 }  // namespace cleave::discretisation::spacetime

@@ -52,16 +52,26 @@ PatchStatus PatchSolver<D>::solve(const Patch<D>& patch, std::span<const Solutio
     if (f.kind == FacetKind::interior || f.kind == FacetKind::boundary) linear = linear && target(f).linear();
 
   origin_ = {};
+  pivoting_ = false;
   if (patch.shape && linear && choices.empty() && !problem_.body_force && !keep_matrix)
     return solve_repeated(patch, older, out);
+  bool again = false;  // the same iterate, with pivoting
   for (iterations_ = 1;; ++iterations_) {
     if (!begin(patch, choices)) return PatchStatus::degenerate;
     const PatchStatus status = assemble(patch, older, iterations_ > 1 ? out : std::span<Solution<D>>{});
     if (status != PatchStatus::solved) return status;
     // The star values of the last iterate have been compared with those before it while assembling.
-    if (!linear && iterations_ > 1 && star_change_ <= star_tolerance * star_size_) return PatchStatus::solved;
+    if (!linear && iterations_ > 1 && !again && star_change_ <= star_tolerance * star_size_)
+      return PatchStatus::solved;
     if (iterations_ > most_iterations) return PatchStatus::not_converged;
-    if (!eliminate()) return PatchStatus::singular;
+    if (!eliminate()) {
+      if (pivoting_) return PatchStatus::singular;
+      pivoting_ = true;
+      again = true;
+      --iterations_;
+      continue;
+    }
+    again = false;
     for (int e = 0; e < count_; ++e) {
       const auto i = static_cast<std::size_t>(e);
       elements_[i].recover(rhs_[i], arena_, out[i]);

@@ -163,6 +163,7 @@ class PatchSolver {
   Block written(const Functional& a, int element);
   int new_link(int element);
   void sum_tables(int e);
+  bool factorise(const Block& a);
   bool condense(int e);
   void emitted(const Link& link, const Block& b, const Block& out);
   bool join(int first, int second);
@@ -183,6 +184,7 @@ class PatchSolver {
 
   const Problem<D>& problem_;
   OperatorStore<D> operators_;
+  bool pivoting_ = false;   ///< factors need exchanges of rows
   bool recording_ = false;  ///< an operator is being made: no data, but columns for them
   Event<D> origin_{};       ///< of the coordinates of facets, for targets
   Patch<D> placed_;         ///< a patch as seen from its foot, all of one shape with the same bits

@@ -67,12 +67,19 @@ void PatchSolver<D>::sum_tables(int e) {
     for (int i = 0; i < n; ++i)
       for (int b = 0; b < NU; ++b) {
         double* to = k.row(a * n + i) + b * n;
-        for (int j = 0; j < n; j += lane_count) {
-          Lanes sum(0.0);
-          for (int t = 0; t < used[b]; ++t)
-            sum = fma(Lanes(factor[b][t]), Lanes::load(table[b][t]->row(i) + j), sum);
-          store_any(sum, to + j);
-        }
+        const auto lanes = [&]<int V>(int j) {
+          Lanes sum[V];
+          for (Lanes& x : sum) x = Lanes(0.0);
+          for (int t = 0; t < used[b]; ++t) {
+            const Lanes f(factor[b][t]);
+            const double* from = table[b][t]->row(i) + j;
+            for (int v = 0; v < V; ++v) sum[v] = fma(f, Lanes::load(from + v * lane_count), sum[v]);
+          }
+          for (int v = 0; v < V; ++v) store_any(sum[v], to + j + v * lane_count);
+        };
+        int j = 0;  // three lanes at a time: one chain of sums would wait for itself
+        for (; j + 2 * lane_count < n; j += 3 * lane_count) lanes.template operator()<3>(j);
+        for (; j < n; j += lane_count) lanes.template operator()<1>(j);
       }
   }
   if (!others.data) return;
@@ -104,6 +111,14 @@ void PatchSolver<D>::emitted(const Link& link, const Block& b, const Block& out)
         sum.store(to + j);
       }
     }
+}
+
+/// The symmetric parts of the matrices of elements are positive definite by the balance of energy, those of
+/// joins close to it. Where that does not help, the patch is made anew and solved with pivoting.
+template <int D>
+bool PatchSolver<D>::factorise(const Block& a) {
+  pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(a.rows)));
+  return pivoting_ ? factor(a, pivot_.data()) : factor_definite(a, pivot_.data());
 }
 
 template <int D>
@@ -142,8 +157,7 @@ bool PatchSolver<D>::condense(int e) {
     std::fill(b.row(k) + columns, b.row(k) + stride, 0.0);
   }
   sum_tables(e);
-  pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(n)));
-  if (!factor(own_[i], pivot_.data())) return false;
+  if (!factorise(own_[i])) return false;
   spacetime::solve(own_[i], pivot_.data(), b);
   flops_ += 2.0 / 3.0 * n * n * n + product_flops(n, columns, n);
   c.s = take_raw(arena_, out, columns);
@@ -152,31 +166,6 @@ bool PatchSolver<D>::condense(int e) {
   response_[i] = b;
   c.s.columns = in + 1;  // what joins see
   return true;
-}
-
-/// Columns of b: scale times the transpose of a functional.
-template <int D>
-void PatchSolver<D>::put_columns(int e, const Functional& f, double scale, const Block& b, int column) const {
-  if (f.full.data) {
-    for (int k = 0; k < b.rows; ++k) {
-      double* to = b.row(k) + column;
-      for (int j = 0; j < f.full.rows; ++j) to[j] = scale * f.full.row(j)[k];
-    }
-    return;
-  }
-  const int poly = elements_[static_cast<std::size_t>(e)].polynomials;
-  for (int a = 0; a < NU; ++a)
-    for (int k = 0; k < poly; ++k)
-      for (int r = 0; r < f.rows; ++r) {
-        const double factor = scale * f.combination[r][a];
-        const Lanes s(factor);
-        double* to = b.row(a * poly + k) + column + r * f.count;
-        for (int j = 0; j < f.count; j += lane_count)
-          if (j + lane_count <= f.count)
-            store_any(s * Lanes::load(f.modes.row(k) + j), to + j);
-          else
-            for (int t = j; t < f.count; ++t) to[t] = factor * f.modes.row(k)[t];
-      }
 }
 
 /// Redheffer's star product. Over the common facets the first sends a = h1 - S1 (b, in1), the second
@@ -256,8 +245,7 @@ bool PatchSolver<D>::join(int first, int second) {
   for (int i = 0; i < a_out; ++i)
     for (int j = 0; j < a_out; ++j) m.row(i)[j] = (i == j ? 1.0 : 0.0) - m.row(i)[j];
   multiply_add(-1.0, aff, h, g);
-  pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(a_out)));
-  if (!factor(m, pivot_.data())) return false;
+  if (!factorise(m)) return false;
   spacetime::solve(m, pivot_.data(), g);
   if (recording_) {
     C.solve = take(arena_, a_out, a_out + b_out);
@@ -391,6 +379,7 @@ Block PatchSolver<D>::written(const Functional& f, int element) {
 #define CLEAVE_INSTANTIATE(D)                                                     \
   template void PatchSolver<D>::sum_tables(int);                                  \
   template void PatchSolver<D>::emitted(const Link&, const Block&, const Block&); \
+  template bool PatchSolver<D>::factorise(const Block&);                          \
   template bool PatchSolver<D>::condense(int);                                    \
   template bool PatchSolver<D>::join(int, int);                                   \
   template bool PatchSolver<D>::condense_and_join();                              \

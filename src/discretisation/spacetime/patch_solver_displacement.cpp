@@ -92,18 +92,50 @@ void PatchSolver<D>::rigid_motion(const Patch<D>& seen, const Patch<D>& patch, i
   }
 }
 
+/// int phi_a phi_b,t dV, from row and column `at` on.
+template <int D>
+static void add_time_derivative(const ElementSpace<D>& space, const Block& matrix, int at) {
+  for (int l = 1; l <= D + 1; ++l) {
+    const Block& weak = FacetBasis<D>::get().weak(l);
+    const double s = space.volume * space.map.gradient[static_cast<std::size_t>(l - 1)][D];
+    for (int a = 0; a < space.polynomials; ++a)
+      for (int b = 0; b < space.polynomials; ++b) matrix.row(at + a)[at + b] += s * weak.row(a)[b];
+  }
+}
+
 /// The displacement's matrix of an element that learns of others through its inflow facet only.
 template <int D>
 Block PatchSolver<D>::displacement_matrix(int e, const Facet<D>& inflow) {
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
   const int n = space.polynomials;
   const Block matrix = take(arena_, n, n), &mass = FacetBasis<D>::get().mass(space.opposite(inflow.corner));
-  const auto derivative = space.derivatives(space.degree, space.degree, arena_);
+  add_time_derivative(space, matrix, 0);
   const double weight = std::fabs(inflow.normal[D]);
   for (int a = 0; a < n; ++a)
-    for (int b = 0; b < n; ++b)
-      matrix.row(a)[b] = space.volume * derivative[D].row(a)[b] + weight * mass.row(a)[b];
+    for (int b = 0; b < n; ++b) matrix.row(a)[b] += weight * mass.row(a)[b];
   return matrix;
+}
+
+/// The displacement of a three-field element. @param u  older displacement on the inflow facet, modes
+template <int D>
+void PatchSolver<D>::settle(const typename PatchOperator<D>::Element& element, const Facet<D>& inflow,
+                            const double* u, Solution<D>& out) {
+  const int n = element.space.polynomials, stride = padded(element.modes);
+  const Block& modes = FacetBasis<D>::get().modes(element.space.opposite(inflow.corner));
+  const double weight = std::fabs(inflow.normal[D]);
+  double* rhs = arena_.take_raw(static_cast<std::size_t>(n));
+  for (int i = 0; i < D; ++i) {
+    for (int a = 0; a < n; ++a) {
+      base::Lanes sum(0.0);
+      for (int c = 0; c < stride; c += base::lane_count)
+        sum = fma(base::Lanes::load(modes.row(a) + c), base::Lanes::load(u + i * stride + c), sum);
+      rhs[a] =
+          element.space.volume * out.fields[static_cast<std::size_t>(i * n + a)] + weight * base::sum(sum);
+    }
+    double* to = arena_.take(static_cast<std::size_t>(element.settle.stride));
+    add_transposed(element.settle, rhs, to);
+    std::copy_n(to, n, out.displacement.begin() + static_cast<std::ptrdiff_t>(i) * n);
+  }
 }
 
 /// int u^ (u,t - v) dV + int u^ (u* - u) N_t dS = 0, u* from the older element on inflow and from the earlier
@@ -127,9 +159,8 @@ void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::
   for (const int e : group) {
     const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
     const int n = space.polynomials, at = start(e);
-    const auto derivative = space.derivatives(space.degree, space.degree, arena_);
+    add_time_derivative(space, matrix, at);
     for (int a = 0; a < n; ++a) {
-      for (int b = 0; b < n; ++b) matrix.row(at + a)[at + b] += space.volume * derivative[D].row(a)[b];
       for (int i = 0; i < D; ++i)
         rhs.row(at + a)[i] +=
             space.volume * out[static_cast<std::size_t>(e)].fields[static_cast<std::size_t>(i * n + a)];
@@ -204,6 +235,8 @@ void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::
 }
 
 #define CLEAVE_INSTANTIATE(D)                                                                       \
+  template void PatchSolver<D>::settle(const typename PatchOperator<D>::Element&, const Facet<D>&,  \
+                                       const double*, Solution<D>&);                                \
   template Block PatchSolver<D>::displacement_matrix(int, const Facet<D>&);                         \
   template void PatchSolver<D>::displacements(const Patch<D>&, std::span<const Solution<D>* const>, \
                                               std::span<Solution<D>>);                              \

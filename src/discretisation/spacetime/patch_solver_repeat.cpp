@@ -33,6 +33,32 @@ std::uint64_t bits(double x) {
 
 }  // namespace
 
+/// Columns of b: scale times the transpose of a functional. Whole lanes may reach into columns that come
+/// next.
+template <int D>
+void PatchSolver<D>::put_columns(int e, const Functional& f, double scale, const Block& b, int column) const {
+  if (f.full.data) {
+    for (int k = 0; k < b.rows; ++k) {
+      double* to = b.row(k) + column;
+      for (int j = 0; j < f.full.rows; ++j) to[j] = scale * f.full.row(j)[k];
+    }
+    return;
+  }
+  const int poly = elements_[static_cast<std::size_t>(e)].polynomials;
+  for (int a = 0; a < NU; ++a)
+    for (int k = 0; k < poly; ++k)
+      for (int r = 0; r < f.rows; ++r) {
+        const double factor = scale * f.combination[r][a];
+        const Lanes s(factor);
+        double* to = b.row(a * poly + k) + column + r * f.count;
+        for (int j = 0; j < f.count; j += lane_count)
+          if (j + lane_count <= f.count || to + j + lane_count <= b.row(a * poly + k) + b.stride)
+            store_any(s * Lanes::load(f.modes.row(k) + j), to + j);
+          else
+            for (int t = j; t < f.count; ++t) to[t] = factor * f.modes.row(k)[t];
+      }
+}
+
 /// The patch as seen from the foot of its pole, with the coordinates of its shape.
 template <int D>
 void PatchSolver<D>::place(const Patch<D>& patch) {
@@ -87,7 +113,13 @@ PatchStatus PatchSolver<D>::solve_repeated(const Patch<D>& patch, std::span<cons
     auto made = std::make_unique<PatchOperator<D>>();
     origin_ = patch.foot;
     recording_ = true;
-    const bool ok = make_operator(patch, *made);
+    pivoting_ = false;
+    bool ok = make_operator(patch, *made);
+    if (!ok) {
+      pivoting_ = true;
+      *made = {};
+      ok = make_operator(patch, *made);
+    }
     recording_ = false;
     origin_ = {};
     for (auto& list : given_) list.clear();
@@ -343,29 +375,8 @@ void PatchSolver<D>::apply(const PatchOperator<D>& op, const Patch<D>& patch,
   }
 }
 
-/// The displacement of a three-field element. @param u  older displacement on the inflow facet, modes
-template <int D>
-void PatchSolver<D>::settle(const typename PatchOperator<D>::Element& element, const Facet<D>& inflow,
-                            const double* u, Solution<D>& out) {
-  const int n = element.space.polynomials, stride = padded(element.modes);
-  const Block& modes = FacetBasis<D>::get().modes(element.space.opposite(inflow.corner));
-  const double weight = std::fabs(inflow.normal[D]);
-  double* rhs = arena_.take_raw(static_cast<std::size_t>(n));
-  for (int i = 0; i < D; ++i) {
-    for (int a = 0; a < n; ++a) {
-      Lanes sum(0.0);
-      for (int c = 0; c < stride; c += lane_count)
-        sum = fma(Lanes::load(modes.row(a) + c), Lanes::load(u + i * stride + c), sum);
-      rhs[a] =
-          element.space.volume * out.fields[static_cast<std::size_t>(i * n + a)] + weight * base::sum(sum);
-    }
-    double* to = arena_.take(static_cast<std::size_t>(element.settle.stride));
-    add_transposed(element.settle, rhs, to);
-    std::copy_n(to, n, out.displacement.begin() + static_cast<std::ptrdiff_t>(i) * n);
-  }
-}
-
 #define CLEAVE_INSTANTIATE(D)                                                                               \
+  template void PatchSolver<D>::put_columns(int, const Functional&, double, const Block&, int) const;       \
   template PatchStatus PatchSolver<D>::solve_repeated(const Patch<D>&, std::span<const Solution<D>* const>, \
                                                       std::span<Solution<D>>);
 CLEAVE_INSTANTIATE(1)
