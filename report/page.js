@@ -212,6 +212,7 @@ function start() {
   showHead();
   showFigures();
   const viewer = scene && showModel(scene, readJson("colours", []), notes);
+  const line = readJson("profiles", null), profiles = line && new Profiles(line);
   const whole = tables.find((table) => table.name === "glstat");
   if (whole) showEnergy(whole);
   showHistories(tables);
@@ -226,6 +227,7 @@ function start() {
     setTheme(theme);
     redrawCharts();
     viewer?.paint();
+    profiles?.paint();
   };
   document.getElementById("theme").addEventListener("click", () =>
     change(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));

@@ -6,6 +6,8 @@
 
 #include "app/account.hpp"
 #include "app/simulate.hpp"
+#include "discretisation/spacetime/estimate.hpp"
+#include "model/keyword/row_place.hpp"
 #include "model/report.hpp"
 
 namespace cleave::app {
@@ -20,6 +22,25 @@ void print_parts(const model::ModelReport& report) {
                 part.title.c_str());
   std::printf(
       "  (jacobian: least corner ratio, 1 is a brick; aspect: largest ratio of edges in an element)\n");
+}
+
+/// Of parts solved in spacetime: what limits the tents, and where.
+void print_tents(const model::Model& model, const model::ModelReport& report) {
+  const auto tents = discretisation::spacetime::estimate_tents(model);
+  if (tents.lowest == 0.0) return;
+  const auto flattest =
+      std::min_element(report.parts.begin(), report.parts.end(), [](const auto& a, const auto& b) {
+        return a.least_height_element != 0 &&
+               (b.least_height_element == 0 || a.least_height < b.least_height);
+      });
+  std::printf("\n  least height %.4g, of element %lld of part %lld\n", flattest->least_height,
+              static_cast<long long>(flattest->least_height_element), static_cast<long long>(flattest->id));
+  std::printf("  first tents  %.4g (node %lld at %.5g %.5g %.5g) to %.4g high", tents.lowest,
+              static_cast<long long>(tents.lowest_at), tents.position[0], tents.position[1],
+              tents.position[2], tents.highest);
+  if (tents.patches > 0.0)
+    std::printf("; about %.2g to the end at %.4g", tents.patches, model.control.end.time);
+  std::printf("\n");
 }
 
 /// Step and memory from the blocks themselves, so that they are those of a run.
@@ -63,6 +84,7 @@ int check(const Options& options) {
   if (world && world->blocks.empty()) solver_of(*world, {}, reading.diagnostics);
   const bool complete = !reading.failed();
   if (complete) model::check_end_time(reading.model, *reading.deck, reading.diagnostics);
+  model::find_rows(*reading.deck, reading.diagnostics);
   print_diagnostics(reading);
   std::printf("%s\n\n%s", reading.model.title.empty() ? options.input.c_str() : reading.model.title.c_str(),
               table_of(reading.account).c_str());
@@ -76,6 +98,7 @@ int check(const Options& options) {
               report.high[0], report.high[1], report.high[2]);
   if (!report.units.empty()) std::printf("  units      probably %s\n", report.units.c_str());
 
+  print_tents(reading.model, report);
   discretisation::State state;
   const auto status = discretisation::initialise(*world, state);
   if (!status.ok) {

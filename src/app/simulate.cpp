@@ -60,6 +60,7 @@ int simulate(const Simulation& simulation, discretisation::State& state) {
   if (options.threads == 0 && threads > 0) base::set_thread_count(threads);
   const auto solver = solver_of(
       simulation.world, {.stop_at_cycle = options.stop_at_cycle, .tents = options.tents}, diagnostics);
+  model::find_rows(*reading.deck, diagnostics);
   const std::string objections = diagnostics.render(reading.deck->sources(), isatty(STDERR_FILENO));
   std::fputs(objections.c_str(), stderr);
   if (diagnostics.failed()) return bad_deck;

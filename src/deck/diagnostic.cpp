@@ -1,7 +1,5 @@
 #include "deck/diagnostic.hpp"
 
-#include <functional>
-
 namespace cleave::deck {
 namespace {
 
@@ -31,17 +29,39 @@ void Diagnostics::add(Diagnostic d) {
 
 void Diagnostics::error(Place place, std::string keyword, std::string field, std::string message,
                         std::string hint) {
-  add({Severity::error, place, std::move(keyword), std::move(field), std::move(message), std::move(hint)});
+  add({Severity::error,
+       place,
+       std::move(keyword),
+       std::move(field),
+       std::move(message),
+       std::move(hint),
+       {}});
 }
 
 void Diagnostics::warning(Place place, std::string keyword, std::string field, std::string message,
                           std::string hint) {
-  add({Severity::warning, place, std::move(keyword), std::move(field), std::move(message), std::move(hint)});
+  add({Severity::warning,
+       place,
+       std::move(keyword),
+       std::move(field),
+       std::move(message),
+       std::move(hint),
+       {}});
 }
 
 void Diagnostics::note(Place place, std::string keyword, std::string field, std::string message,
                        std::string hint) {
-  add({Severity::note, place, std::move(keyword), std::move(field), std::move(message), std::move(hint)});
+  add({Severity::note, place, std::move(keyword), std::move(field), std::move(message), std::move(hint), {}});
+}
+
+void Diagnostics::find_rows(const std::function<Place(const Diagnostic&)>& find) {
+  for (Diagnostic& d : all_) {
+    if (d.row.kind == NumberedRow::Kind::none) continue;
+    const Place place = find(d);
+    if (place.line == 0) continue;
+    d.place = place;
+    d.row = {};
+  }
 }
 
 std::size_t Diagnostics::count(Severity severity) const {

@@ -2,6 +2,7 @@
 /// What is said to the user about the deck: collected, all at once, in reading order.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -19,13 +20,20 @@ struct Place {
 
 enum class Severity { note, warning, error };
 
+/// A row of the deck by the number in its first column, where only the model is at hand and no place.
+struct NumberedRow {
+  enum class Kind : std::uint8_t { none, node, element } kind = Kind::none;
+  std::int64_t id = 0;
+};
+
 struct Diagnostic {
   Severity severity = Severity::error;
   Place place;
-  std::string keyword;  ///< e.g. "MAT_ELASTIC"; may be empty
-  std::string field;    ///< e.g. "PR"; may be empty
-  std::string message;  ///< what is wrong: text found, what was expected
-  std::string hint;     ///< what to do instead; may be empty
+  std::string keyword;   ///< e.g. "MAT_ELASTIC"; may be empty
+  std::string field;     ///< e.g. "PR"; may be empty
+  std::string message;   ///< what is wrong: text found, what was expected
+  std::string hint;      ///< what to do instead; may be empty
+  NumberedRow row = {};  ///< of `keyword`, the better place once it is found
 };
 
 class Sources;
@@ -39,6 +47,9 @@ class Diagnostics {
   void warning(Place place, std::string keyword, std::string field, std::string message,
                std::string hint = {});
   void note(Place place, std::string keyword, std::string field, std::string message, std::string hint = {});
+
+  /// Offers each diagnostic that names a row; one whose place is found drops the row.
+  void find_rows(const std::function<Place(const Diagnostic&)>& find);
 
   bool failed() const { return count(Severity::error) > 0; }
   std::size_t count(Severity severity) const;

@@ -1,7 +1,7 @@
 # The page of `cleave view`: its HTML, CSS and JavaScript become strings of the program, so that the program finds
 # them wherever it is installed. Scripts are joined in the order of this list.
 set(page_folder ${CMAKE_SOURCE_DIR}/report)
-set(page_scripts third_party/uplot/uPlot.iife.min.js data.js charts.js histories.js mesh.js viewer.js page.js)
+set(page_scripts third_party/uplot/uPlot.iife.min.js data.js charts.js histories.js mesh.js viewer.js profiles.js page.js)
 set(page_styles third_party/uplot/uPlot.min.css style.css)
 
 function(cleave_join out)

@@ -10,6 +10,7 @@
 #include "results/report_file.hpp"
 #include "results/report_history.hpp"
 #include "results/report_page.hpp"
+#include "results/report_profile.hpp"
 #include "results/report_scene.hpp"
 
 namespace cleave::results {
@@ -147,10 +148,16 @@ ReportOutcome write_report(const fs::path& run_directory, const ReportOptions& o
   Data data;
   data.json("summary", summary ? harmless(*summary) : "null");
   add_histories(data, run_directory, options.max_history_bytes, outcome.notes);
-  const Scene scene = build_scene(run_directory, options.max_frames, options.max_scene_bytes);
-  outcome.notes.insert(outcome.notes.end(), scene.notes.begin(), scene.notes.end());
-  data.json("scene", scene.json.empty() ? "null" : scene.json);
-  for (const auto& [name, bytes] : scene.blocks) data.block(name, bytes);
+  // What lies on a line has profiles, everything else a view in space.
+  const Scene profiles = build_profiles(run_directory, options.max_scene_bytes);
+  const Scene scene = profiles.json.empty()
+                          ? build_scene(run_directory, options.max_frames, options.max_scene_bytes)
+                          : Scene{};
+  for (const auto& [name, from] : {std::pair{"profiles", &profiles}, std::pair{"scene", &scene}}) {
+    outcome.notes.insert(outcome.notes.end(), from->notes.begin(), from->notes.end());
+    data.json(name, from->json.empty() ? "null" : from->json);
+    for (const auto& [block, bytes] : from->blocks) data.block(block, bytes);
+  }
   add_pictures(data, run_directory);
   add_colours(data);
   std::string notes;

@@ -42,12 +42,14 @@ class Decks(Case):
     def test_a_good_one(self):
         out, _ = self.cleave("check", self.write("square.k", SQUARE + "*END\n"))
         self.assertIn("mass 2,", out)
+        self.assertRegex(out, r"least height 0\.5, of element 11 of part 1\n  first tents  0\.3\d+ \(node 5 at 0\.5 0\.5 0\) "
+                              r"to \S+ high; about \S+ to the end at 1\n")
 
     def test_elements(self):
         self.refused(SQUARE.replace("12,1,2,3,5,5", "12,1,3,2,5,5"), 19, "element 12 is inverted", "ELEMENT_SHELL")
         self.refused(SQUARE.replace("5,0.5,0.5,0", "5,0.5,0.0,0"), 18, "element 11 has no area")
         self.refused(SQUARE.replace("5,0.5,0.5,0\n", "5,0.5,0.5,0\n6,0.5,-1,0\n7,0.5,0,0\n")
-                     + "*ELEMENT_SHELL\n15,1,1,6,7,7\n16,1,6,2,7,7\n", 10, "vertex 7 hangs on a face of element 11")
+                     + "*ELEMENT_SHELL\n15,1,1,6,7,7\n16,1,6,2,7,7\n", 18, "vertex 7 hangs on a face of element 11")
 
     def test_conditions(self):
         silent = "*SET_SEGMENT\n4\n4,1\n*BOUNDARY_NON_REFLECTING\n4,\n*SET_SEGMENT\n5\n1,2\n"

@@ -37,17 +37,33 @@ void refuse_other_parts(const model::Model& model, int dimension, deck::Diagnost
   }
 }
 
-/// Where a fault of the mesh is reported: at the part of its first element.
-deck::Place place_of(const MeshFault& fault, const model::Model& model) {
-  if (fault.element.empty()) return {};
-  for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
-    for (const model::Elements& group : *groups)
-      if (const auto at = std::find(group.id.begin(), group.id.end(), fault.element.front());
-          at != group.id.end())
-        return model
-            .parts[static_cast<std::size_t>(group.part[static_cast<std::size_t>(at - group.id.begin())])]
-            .place;
-  return {};
+/// At the row of its first node, else of its first element; the part of the element where no row is found.
+template <int D>
+void report(const MeshFault& fault, const model::Model& model, deck::Diagnostics& diagnostics) {
+  deck::Diagnostic d{.severity = deck::Severity::error,
+                     .place = {},
+                     .keyword = D == 1   ? "ELEMENT_BEAM"
+                                : D == 2 ? "ELEMENT_SHELL"
+                                         : "ELEMENT_SOLID",
+                     .field = "EID",
+                     .message = fault.what,
+                     .hint = fault.likely_cause};
+  if (!fault.element.empty()) {
+    d.row = {deck::NumberedRow::Kind::element, fault.element.front()};
+    for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
+      for (const model::Elements& group : *groups)
+        if (const auto at = std::find(group.id.begin(), group.id.end(), fault.element.front());
+            at != group.id.end())
+          d.place = model
+                        .parts[static_cast<std::size_t>(
+                            group.part[static_cast<std::size_t>(at - group.id.begin())])]
+                        .place;
+  }
+  if (!fault.vertex.empty()) {
+    d.keyword = "NODE", d.field = "NID";
+    d.row = {deck::NumberedRow::Kind::node, fault.vertex.front()};
+  }
+  diagnostics.add(std::move(d));
 }
 
 }  // namespace
@@ -83,7 +99,7 @@ std::unique_ptr<const Body<D>> make_body(const model::Model& model, deck::Diagno
   if (failed()) return nullptr;
 
   if (const MeshFault fault = body->mesh.build(input); !fault.ok) {
-    diagnostics.error(place_of(fault, model), "PART", "", fault.what, fault.likely_cause);
+    report<D>(fault, model, diagnostics);
     return nullptr;
   }
   for (auto v = static_cast<Vertex>(body->node_of_vertex.size()); v < body->mesh.vertex_count(); ++v)

@@ -39,14 +39,24 @@ class Gatherer {
   }
 
  private:
-  void error(const deck::Place& place, std::string what, std::string instead) {
-    diagnostics_.error(place,
-                       D == 1   ? "ELEMENT_BEAM"
-                       : D == 2 ? "ELEMENT_SHELL"
-                                : "ELEMENT_SOLID",
-                       "", std::move(what), std::move(instead));
+  /// @param row the better place, where the deck has it
+  void error(const deck::Place& place, std::string what, std::string instead, deck::NumberedRow row = {}) {
+    const bool node = row.kind == deck::NumberedRow::Kind::node;
+    diagnostics_.add({.severity = deck::Severity::error,
+                      .place = place,
+                      .keyword = node     ? "NODE"
+                                 : D == 1 ? "ELEMENT_BEAM"
+                                 : D == 2 ? "ELEMENT_SHELL"
+                                          : "ELEMENT_SOLID",
+                      .field = node     ? "NID"
+                               : row.id ? "EID"
+                                        : "",
+                      .message = std::move(what),
+                      .hint = std::move(instead),
+                      .row = row});
     said_ = true;
   }
+  static deck::NumberedRow element_row(model::Id id) { return {deck::NumberedRow::Kind::element, id}; }
   const model::Part& part_of(const model::Elements& group, std::size_t e) const {
     return model_.parts[static_cast<std::size_t>(group.part[e])];
   }
@@ -59,7 +69,7 @@ class Gatherer {
     error(part_of(group, 0).place,
           "part " + std::to_string(part_of(group, 0).id) + " has " + std::string(name_of(group.shape)) +
               " elements, e.g. " + std::to_string(group.id[0]),
-          "spacetime parts are made of 4-node tetrahedra");
+          "spacetime parts are made of 4-node tetrahedra", element_row(group.id[0]));
   }
 
   /// Vertices are the nodes of the elements, in the order of the nodes. All must lie in the plane, or on the
@@ -102,7 +112,8 @@ class Gatherer {
                               model_.mesh.nodes.id[static_cast<std::size_t>(body_.node_of_vertex[0])])) +
                 ": " + listed(outside),
             D == 2 ? "parts with *SECTION_SHELL_SDG lie in a plane parallel to xy"
-                   : "parts with *SECTION_BEAM_SDG lie along x");
+                   : "parts with *SECTION_BEAM_SDG lie along x",
+            {deck::NumberedRow::Kind::node, outside.front()});
   }
 
   // --- shells ------------------------------------------------------------------------------------------
@@ -137,7 +148,8 @@ class Gatherer {
         error(part.place,
               "part " + std::to_string(part.id) +
                   " has inverted elements among others: " + listed(clockwise[p]),
-              "number all shells of a part counter-clockwise seen from above, or all clockwise");
+              "number all shells of a part counter-clockwise seen from above, or all clockwise",
+              element_row(clockwise[p].front()));
       } else {
         turned_[p] = 1;
         diagnostics_.warning(part.place, "PART", "PID",
@@ -213,12 +225,13 @@ class Gatherer {
                  : D == 2 ? "line"
                           : "point") +
                 ": " + listed(ids),
-            "repeated or misplaced nodes");
+            "repeated or misplaced nodes", element_row(ids.front()));
     for (const auto& [part, ids] : folded_)
       error(model_.parts[static_cast<std::size_t>(part)].place,
             "part " + std::to_string(model_.parts[static_cast<std::size_t>(part)].id) +
                 " has inverted elements: " + listed(ids),
-            D == 2 ? "the corners of a quadrilateral must go around it" : "exchange two of their nodes");
+            D == 2 ? "the corners of a quadrilateral must go around it" : "exchange two of their nodes",
+            element_row(ids.front()));
   }
 
   /// Smallest phase speed over directions, sampled. [length/time]

@@ -117,7 +117,10 @@ std::string make_orthotropic(const model::Model& model, model::Index part, Plane
                                                      : c[i][j] - c[i][2] * c[2][j] / c[2][2];
       }
   }
-  return make_anisotropic<D>(of.density, stiffness, out);
+  const std::string wrong = make_anisotropic<D>(of.density, stiffness, out);
+  if constexpr (D == 2)
+    if (wrong.empty() && plane == PlaneKind::strain) out.across = {c[2][0], c[2][1], c[2][3]};
+  return wrong;
 }
 
 template std::string make_orthotropic<1>(const model::Model&, model::Index, PlaneKind, Elastic<1>&);

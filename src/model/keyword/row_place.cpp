@@ -21,4 +21,12 @@ std::map<Id, deck::Place> row_places(const deck::Deck& deck, std::string_view ke
   return places;
 }
 
+void find_rows(const deck::Deck& deck, deck::Diagnostics& diagnostics) {
+  diagnostics.find_rows([&](const deck::Diagnostic& d) {
+    const IdKind kind = d.row.kind == deck::NumberedRow::Kind::node ? IdKind::node : IdKind::element;
+    const auto places = row_places(deck, d.keyword, kind, {d.row.id});
+    return places.empty() ? deck::Place{} : places.begin()->second;
+  });
+}
+
 }  // namespace cleave::model

@@ -15,4 +15,7 @@ namespace cleave::model {
 std::map<Id, deck::Place> row_places(const deck::Deck& deck, std::string_view keyword, IdKind kind,
                                      const std::vector<Id>& ids);
 
+/// Gives a place to the diagnostics that name a row of *NODE or *ELEMENT_... by its number.
+void find_rows(const deck::Deck& deck, deck::Diagnostics& diagnostics);
+
 }  // namespace cleave::model

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "discretisation/spacetime/estimate.hpp"
 #include "spacetime_deck.hpp"
 
 namespace cleave::discretisation::spacetime::test {
@@ -114,16 +115,48 @@ TEST(SpacetimeBodyMesh, FaultsOfTheMesh) {
   };
   const FromDeck<2> hanging = below("6,0.25,-1,0\n7,0.5,0,0\n", "15,1,1,6,7,7\n");
   EXPECT_FALSE(hanging.body);
-  EXPECT_TRUE(hanging.refuses(10, "vertex 7 hangs on a face of element 11 at (0.5, 0)")) << hanging.text();
+  EXPECT_TRUE(hanging.refuses(18, "vertex 7 hangs on a face of element 11 at (0.5, 0)")) << hanging.text();
   // A T-junction: two elements below meet the middle of one edge above.
   const FromDeck<2> junction = below("6,0.5,-1,0\n7,0.5,0,0\n", "15,1,1,6,7,7\n16,1,6,2,7,7\n");
-  EXPECT_TRUE(junction.refuses(10, "vertex 7 hangs on a face of element 11")) << junction.text();
+  EXPECT_TRUE(junction.refuses(18, "vertex 7 hangs on a face of element 11")) << junction.text();
   const FromDeck<2> inside = below("6,0.4,-1,0\n7,0.5,0.1,0\n8,0.6,-1,0\n", "15,1,6,8,7,7\n");
-  EXPECT_TRUE(inside.refuses(10, "vertex 7 lies inside element 11")) << inside.text();
+  EXPECT_TRUE(inside.refuses(18, "vertex 7 lies inside element 11")) << inside.text();
+  EXPECT_NE(inside.text().find("18:1 NODE NID"), std::string::npos) << inside.text();
+  const FromDeck<2> across = below("6,-0.5,0.2,0\n7,1.5,0.2,0\n8,1.5,0.3,0\n", "15,1,6,7,8,8\n");
+  EXPECT_TRUE(across.refuses(12, "boundary faces at vertices 1 and 6 cross")) << across.text();
+  // Two elements more around node 5 than there is room for.
+  const FromDeck<2> folded = below("6,0.2,0.6,0\n7,0.3,0.7,0\n", "15,1,5,7,6,6\n");
+  EXPECT_TRUE(folded.refuses(17, "vertex 6 lies inside element 14")) << folded.text();
   const FromDeck<2> twice = below("", "15,1,1,2,5,5\n");
-  EXPECT_TRUE(twice.refuses(10, "elements 11 and 15")) << twice.text();
+  EXPECT_TRUE(twice.refuses(18, "elements 11 and 15")) << twice.text();
   const FromDeck<2> seam = below("6,0,-1,0\n7,1,0,0\n8,0,0,0\n", "15,1,8,6,7,7\n");
-  EXPECT_TRUE(seam.refuses(10, "lie at the same place")) << seam.text();
+  EXPECT_TRUE(seam.refuses(12, "lie at the same place")) << seam.text();
+}
+
+TEST(SpacetimeBodyMesh, FlatTetrahedraAreShownByTheirRow) {
+  std::string text = tetrahedron;
+  text.replace(text.find("4,0,0,1\n"), 8, "4,0.3,0.3,0\n");
+  const FromDeck<3> flat(text);
+  EXPECT_FALSE(flat.body);
+  EXPECT_NE(flat.text().find("17:1 ELEMENT_SOLID EID"), std::string::npos) << flat.text();
+}
+
+TEST(SpacetimeBodyMesh, EstimateOfTents) {
+  // A bar of two elements of length 1/2, waves of speed sqrt(1.25): tents rise 0.95 of what a wave needs,
+  // less the share of the progress constraint in two dimensions only.
+  const FromDeck<1> bar(bar_of_two);
+  const TentEstimate a = estimate_tents(bar.model);
+  EXPECT_NEAR(a.lowest, 0.95 * 0.5 / std::sqrt(1.25), 1e-12);
+  EXPECT_EQ(a.lowest, a.highest);
+  EXPECT_NEAR(a.patches, 0.7 * 3 * bar.model.control.end.time / a.lowest, 1e-9);
+  // A node close to an edge: the lowest tent stands on one of the corners of the flattest triangle.
+  const FromDeck<2> b(square_with("5,0.5,0.5,0", "5,0.5,0.1,0"));
+  const TentEstimate tents = estimate_tents(b.model);
+  EXPECT_EQ(tents.lowest_at, 5);
+  EXPECT_EQ(tents.position[1], 0.1);
+  EXPECT_LT(tents.lowest, 0.1);
+  EXPECT_GT(tents.lowest, 0.02);
+  EXPECT_EQ(estimate_tents({}).lowest, 0.0);
 }
 
 TEST(SpacetimeBodyMesh, DensityAndModulusMustBePositive) {

@@ -97,7 +97,7 @@ TEST(SpacetimeBody, RefusesBadElements) {
   };
   EXPECT_TRUE(with("12,1,2,3,5,5", "12,1,3,2,5,5").refuses(19, "element 12 is inverted"));
   EXPECT_TRUE(with("5,0.5,0.5,0", "5,0.5,0.0,0").refuses(18, "element 11 has no area"));
-  EXPECT_TRUE(with("5,0.5,0.5,0", "5,0.5,0.5,1").refuses(10, "outside the plane z = 0: 5"));
+  EXPECT_TRUE(with("5,0.5,0.5,0", "5,0.5,0.5,1").refuses(16, "outside the plane z = 0: 5"));
   EXPECT_TRUE(with("1,2.0,2.5,0.25", "1,0.0,2.5,0.25").refuses(5, "density must be above 0"));
   EXPECT_TRUE(with("1,2.0,2.5,0.25", "1,2.0,-2.5,0.25").refuses(5, "expected a value above 0"));
 }

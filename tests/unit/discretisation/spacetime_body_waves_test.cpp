@@ -127,6 +127,20 @@ TEST(SpacetimeBodyOrthotropic, StiffnessInvertsTheCompliance) {
   EXPECT_NEAR(d[0][0], s22 / det, 1e-12);
   EXPECT_NEAR(d[1][1], s11 / det, 1e-12);
   EXPECT_NEAR(d[0][1], -s12 / det, 1e-12);
+  // What keeps eps_cc at zero: sigma_c = -(S_13 sigma_a + S_23 sigma_b) / S_33; none in a thin sheet.
+  const Voigt<2> strain{0.3, -0.2, 0.7};
+  const Elastic<2>& m = thick.body->problem.materials[0];
+  const auto stress = m.stress(strain);
+  EXPECT_NEAR(m.stress_across(strain), -(s13 * stress[0] + s23 * stress[1]) / s33, 1e-13);
+  EXPECT_EQ(thin.body->problem.materials[0].stress_across(strain), 0.0);
+  // The same state seen by axes turned by 30 degrees: shear takes part.
+  const double turn = std::acos(-1.0) / 6.0, co = std::cos(turn), si = std::sin(turn);
+  const FromDeck<2> turned(orthotropic("1.5,1.0,0.8,2\n" + row({0, 0, 0, co, si, 0}) + "0,0,0,0,1,0\n"));
+  ASSERT_TRUE(turned.body) << turned.text();
+  const Voigt<2> seen{co * co * strain[0] + si * si * strain[1] - 2 * si * co * strain[2],
+                      si * si * strain[0] + co * co * strain[1] + 2 * si * co * strain[2],
+                      si * co * (strain[0] - strain[1]) + (co * co - si * si) * strain[2]};
+  EXPECT_NEAR(turned.body->problem.materials[0].stress_across(seen), m.stress_across(strain), 1e-12);
 }
 
 TEST(SpacetimeBodyOrthotropic, AxesTurnTheSpeeds) {

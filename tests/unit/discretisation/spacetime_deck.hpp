@@ -11,6 +11,7 @@
 #include "deck/deck.hpp"
 #include "discretisation/spacetime/body.hpp"
 #include "discretisation/spacetime/scheduler.hpp"
+#include "model/keyword/row_place.hpp"
 
 namespace cleave::discretisation::spacetime::test {
 
@@ -25,6 +26,7 @@ struct FromDeck {
     const deck::Deck deck = deck::Deck::read_text(text, "test.k", {}, diagnostics);
     model = model::build(deck, {}, diagnostics, account);
     if (!diagnostics.failed()) body = make_body<D>(model, diagnostics);
+    model::find_rows(deck, diagnostics);
   }
   std::string text() const {
     std::string all;

@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "report_run.hpp"
 #include "results/report_encode.hpp"
 #include "results/report_history.hpp"
+#include "results/report_profile.hpp"
 #include "results/report_scene.hpp"
 #include "results/report_vtu.hpp"
 
@@ -182,11 +184,69 @@ TEST_F(Report, SceneFollowsErosionAndMarksWhatIsNoNumber) {
   EXPECT_NE(last.find("\xff\xff"), std::string::npos);
 }
 
-/// Runs the page where there is a browser: its scripts must reach their end.
-TEST_F(Report, PageRunsInABrowser) {
-  if (std::system("command -v chromium >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no chromium here";
+/// Two bars of two points each, in the wrong order, at two instants; velocity is a vector.
+void write_bars(const fs::path& run) {
+  const auto frame = [](double share) {
+    std::string data;
+    const auto array = [&](const std::vector<float>& values) {
+      const std::uint64_t size = 4 * values.size(), at = data.size();
+      data.append(reinterpret_cast<const char*>(&size), 8);
+      append_bytes(data, values);
+      return at;
+    };
+    const auto tag = [](const char* name, int size, std::uint64_t at) {
+      return "<DataArray type=\"Float32\" Name=\"" + std::string(name) + "\" NumberOfComponents=\"" +
+             std::to_string(size) + "\" format=\"appended\" offset=\"" + std::to_string(at) + "\"/>\n";
+    };
+    const float v = static_cast<float>(share);
+    std::string head =
+        "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+        "<Piece NumberOfPoints=\"4\" NumberOfCells=\"0\">\n<PointData>\n" +
+        tag("velocity", 3, array({2 * v, 9, 9, 3 * v, 9, 9, 0, 9, 9, v, 9, 9})) +
+        tag("stress", 1, array({3, 4, 1, -2})) + "</PointData>\n<Points>\n" +
+        tag("Points", 3, array({1, 0, 0, 2, 0, 0, 0, 0, 0, 1, 0, 0})) + "</Points>\n";
+    return head + "</Piece>\n<AppendedData encoding=\"raw\">\n_" + data + "</AppendedData>\n";
+  };
+  std::string list;
+  for (const int i : {0, 1}) {
+    put(run / ("bar_" + std::to_string(i) + ".vtu"), frame(1.0 + i));
+    list += "<DataSet timestep=\"" + std::to_string(0.5 * i) + "\" file=\"bar_" + std::to_string(i) +
+            ".vtu\"/>\n";
+  }
+  put(run / "result.pvd", list);
+  put(run / "glstat.csv", "time,kinetic_energy\n0,1\n0.5,1\n");
+}
+
+TEST_F(Report, BarsHaveProfiles) {
+  write_bars(run);
+  const Scene profiles = build_profiles(run, 1 << 20);
+  ASSERT_EQ(profiles.json,
+            "{\"points\":4,\"times\":[0,0.5],\"fields\":[{\"name\":\"velocity\",\"low\":0,\"high\":6},"
+            "{\"name\":\"stress\",\"low\":-2,\"high\":4}]}");
+  ASSERT_EQ(profiles.blocks.size(), 3u);
+  const auto numbers = [&](std::size_t b) {
+    const std::string& bytes = profiles.blocks[b].second;
+    std::vector<float> values(bytes.size() / 4);
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  };
+  EXPECT_EQ(profiles.blocks[1].first, "profile-velocity");
+  EXPECT_EQ(numbers(0), (std::vector<float>{0, 1, 1, 2}));
+  EXPECT_EQ(numbers(1), (std::vector<float>{0, 2, 1, 3, 0, 4, 2, 6}));  // both values where bars meet
+  EXPECT_EQ(numbers(2), (std::vector<float>{1, 3, -2, 4, 1, 3, -2, 4}));
+  const ReportOutcome outcome = write_report(run);
+  ASSERT_TRUE(outcome.ok);
+  EXPECT_FALSE(has_note(outcome, "3D view"));
+  EXPECT_NE(text_of(outcome.page).find("data-profile-stress"), std::string::npos);
+}
+
+TEST_F(Report, BodiesInSpaceHaveNone) {
   test::write_run(run, 3, 6, 3);
-  ASSERT_TRUE(write_report(run).ok);
+  EXPECT_TRUE(build_profiles(run, 1 << 20).json.empty());
+}
+
+/// Runs the page where there is a browser: its scripts must reach their end.
+std::string page_in_a_browser(const fs::path& run) {
   const std::string command =
       "timeout 60 chromium --headless --no-sandbox --disable-gpu --no-first-run "
       "--disable-background-networking --disable-sync --user-data-dir='" +
@@ -194,10 +254,27 @@ TEST_F(Report, PageRunsInABrowser) {
       (run / "report.html").string() + "' > '" + (run / "dom").string() + "' 2>/dev/null";
   const bool started = std::system(command.c_str()) == 0;
   const std::string dom = text_of(run / "dom");
-  if (!started || dom.find("</html>") == std::string::npos) GTEST_SKIP() << "chromium does not start here";
+  return started && dom.find("</html>") != std::string::npos ? dom : "";
+}
+
+TEST_F(Report, PageRunsInABrowser) {
+  if (std::system("command -v chromium >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no chromium here";
+  test::write_run(run, 3, 6, 3);
+  ASSERT_TRUE(write_report(run).ok);
+  const std::string dom = page_in_a_browser(run);
+  if (dom.empty()) GTEST_SKIP() << "chromium does not start here";
   EXPECT_NE(dom.find("data-ready=\"with"), std::string::npos);
   EXPECT_NE(dom.find("0.99874</b>"), std::string::npos);
   EXPECT_NE(dom.find("z displacement"), std::string::npos);
+  EXPECT_NE(dom.find("<section id=\"profiles\" hidden"), std::string::npos);
+
+  write_bars(run);
+  ASSERT_TRUE(write_report(run).ok);
+  const std::string bars = page_in_a_browser(run);
+  EXPECT_NE(bars.find("data-ready=\"without"), std::string::npos);
+  EXPECT_NE(bars.find("t = 0.5   (2 of 2)"), std::string::npos);
+  EXPECT_NE(bars.find("x from 0 to 2 to the right, t from 0 to 0.5 upwards; velocity from 0"),
+            std::string::npos);
 }
 
 TEST(Encode, Base64AndJson) {
