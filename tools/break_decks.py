@@ -40,6 +40,11 @@ CHANGES = {
     "simple_shear": [("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],
     "spacetime_bar_8": [E_OF(1.2) + ("spacetime_bar_32",)],
     "spacetime_block": [E_OF(1.2)],
+    "spacetime_fibres": [("EA", "*MAT_ORTHOTROPIC_ELASTIC", 0, 2, 1.1), ("PRCB", "*MAT_ORTHOTROPIC_ELASTIC", 0, 7, 1.2)],
+    "spacetime_mixed": [E_OF(1.2)],
+    "wave_scattering": [("PR", "*MAT_ELASTIC", 0, POISSON, 0.8)],
+    "crack_step": [("PR", "*MAT_ELASTIC", 0, POISSON, 0.9)],
+    "penny_crack": [E_OF(1.2)],
     "spacetime_shear": [E_OF(1.2)],
     "spacetime_strip": [E_OF(1.2)],
     "standing_wave_8": [E_OF(1.2) + ("standing_wave_32",)],
@@ -110,7 +115,9 @@ def main(program, names):
     good = True
     print("| deck | changed | checks that fail | the first of them |\n|---|---|---|---|")
     for name in names or CHANGES:
-        deck = ROOT / "tests" / ("validation" if name.startswith("taylor") else "verification") / (name + ".k")
+        deck = ROOT / "examples" / name / (name + ".k")
+        if not deck.is_file():
+            deck = ROOT / "tests" / ("validation" if name.startswith("taylor") else "verification") / (name + ".k")
         for change in CHANGES[name]:
             words, failed, count = broken(program, deck, change)
             good = good and bool(failed)

@@ -26,15 +26,16 @@ def main():
         sys.exit(__doc__)
     run, near, far = Path(sys.argv[1]), float(sys.argv[3]), float(sys.argv[4])
     factor = STEEL["young"] / (8 * (1 - STEEL["poisson"] ** 2)) * math.sqrt(2 * math.pi)
-    speed, times, places = speed_d(**STEEL), {}, set()
+    speed, times, places = speed_d(**STEEL), {}, {}
     with (run / "nodout.csv").open(newline="") as stream:
         for row in csv.DictReader(stream, skipinitialspace=True):
-            r = -float(row["x_coordinate"])
+            # Where it was at first: near the tip the motion along the face would change K by a per cent.
+            r = places.setdefault(row["id"], -float(row["x_coordinate"]))
             if near <= r <= far:
                 times.setdefault(float(row["time"]), []).append((r, 2 * factor * float(row["y_displacement"]) / math.sqrt(r)))
-                places.add(row["id"])
-    if len(places) < 3:
-        sys.exit(f"only {len(places)} nodes of the face between {near:g} and {far:g} from the tip are in the history")
+    count = sum(near <= r <= far for r in places.values())
+    if count < 3:
+        sys.exit(f"only {count} nodes of the face between {near:g} and {far:g} from the tip are in the history")
     with (run / "intensity.csv").open("w") as stream:
         stream.write("time,arrivals,K,ratio\n")
         for time, points in times.items():
