@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -129,6 +130,40 @@ inline double largest_angle(const SpaceMeshInput<2>& in) {
       largest = std::max(largest, std::acos(dot(a, b) / norm(a) / norm(b)) * 180.0 / std::numbers::pi);
     }
   return largest;
+}
+
+/// Every triangle in four, by the middles of its edges: the same shapes at half the size.
+inline SpaceMeshInput<2> halved(SpaceMeshInput<2> in) {
+  std::map<std::pair<Vertex, Vertex>, Vertex> middle;
+  const auto between = [&](Vertex a, Vertex b) {
+    const auto [at, isnew] = middle.try_emplace(std::minmax(a, b), static_cast<Vertex>(in.vertex.size()));
+    if (isnew) {
+      const auto &x = in.vertex[static_cast<std::size_t>(a)], &y = in.vertex[static_cast<std::size_t>(b)];
+      in.vertex.push_back({0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1])});
+    }
+    return at->second;
+  };
+  const auto coarse = std::move(in.simplex);
+  const auto material = std::move(in.material);
+  in.simplex.clear();
+  in.material.clear();
+  for (std::size_t s = 0; s < coarse.size(); ++s) {
+    const auto [a, b, c] = coarse[s];
+    const Vertex ab = between(a, b), bc = between(b, c), ca = between(c, a);
+    for (const std::array<Vertex, 3>& t : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
+      in.simplex.push_back(t);
+      in.material.push_back(material[s]);
+    }
+  }
+  return in;
+}
+
+/// A mesh of `base` halved until it is that of n, a power of two times `base`.
+template <class Make>
+SpaceMeshInput<2> nested(const Make& make, int base, int n) {
+  auto in = make(base);
+  for (; base < n; base *= 2) in = halved(std::move(in));
+  return in;
 }
 
 /// Two materials: simplices whose first corner lies beyond `split` along x are twice as fast.

@@ -26,16 +26,16 @@ Slab<D> plane_waves(double k, double end) {
   return slab;
 }
 
-// The window is 0.25 below the order on good meshes. It is wider on random ones, no two of which are alike,
-// and where the coarse meshes do not yet resolve the shorter waves of a slow material.
+// The window is 0.25 below the order. It is wider at the highest degrees on meshes of random points, no two
+// of which are alike: the order between two of them is that of the meshes as well.
 
 /// Each space at degrees 1 .. `highest` of velocity and strain, p + 1 of which is the order. The displacement
 /// has p + 1 as well with three fields and P + 1 with one (less on coarse meshes for P = 2), but P with
 /// Trefftz functions: their rigid motions carry on the errors of older elements.
 template <int D>
 void expect_all_spaces(const char* name, const Slab<D>& slab, int highest, const std::vector<int>& meshes,
-                       double below = 0.25) {
-  for (int p = 1; p <= highest; ++p) {
+                       int lowest = 1, double below = 0.25) {
+  for (int p = lowest; p <= highest; ++p) {
     const double order = p + 1;
     expect_orders<D>(name, slab, {three_field, p}, meshes, {order, order, below});
     expect_orders<D>(name, slab, {one_field, p + 1}, meshes, {order, order + (p == 1 ? 0.4 : 0.7), below});
@@ -45,12 +45,17 @@ void expect_all_spaces(const char* name, const Slab<D>& slab, int highest, const
 
 const double pi = std::numbers::pi;
 
-template <int D>
-std::function<SpaceMeshInput<D>(int)> unstructured(double seam = -1.0) {
+/// Delaunay meshes of random points, each with its own.
+std::function<SpaceMeshInput<2>(int)> unstructured(double seam = -1.0) {
   return [=](int n) {
-    auto in = sample::scattered<D>(n, 0.75, 7, seam);
-    return seam > 0.0 ? sample::two_materials<D>(in, seam) : in;
+    auto in = sample::scattered<2>(n, 0.75, 7, seam);
+    return seam > 0.0 ? sample::two_materials<2>(in, seam) : in;
   };
+}
+
+/// Those of 2 points to a side, halved.
+std::function<SpaceMeshInput<2>(int)> halved(double seam) {
+  return [=](int n) { return sample::nested(unstructured(seam), 2, n); };
 }
 
 TEST(SpacetimeConvergence, Line) {
@@ -67,32 +72,36 @@ TEST(SpacetimeConvergence, SlowSquare) {
 
 TEST(SpacetimeConvergence, SlowSquareInclined) {
   auto slab = plane_waves<2>(2.0 * pi, 0.5);
-  slab.mesh = [](int n) { return sample::grid(n, 0.2, 3); };
+  slab.mesh = [](int n) { return sample::nested([](int m) { return sample::grid(m, 0.2, 3); }, 2, n); };
   slab.pitch.smoothing = 0.3;
-  expect_all_spaces("square, jittered, inclined poles", slab, 3, {2, 4, 8}, 0.35);
+  expect_all_spaces("square, jittered, inclined poles", slab, 2, {2, 4, 8});
+  // Orders of high degrees come late.
+  expect_all_spaces("square, jittered, inclined poles", slab, 3, {4, 8, 16}, 3);
 }
 
 TEST(SpacetimeConvergence, SlowDelaunay) {
   auto slab = plane_waves<2>(2.0 * pi, 0.5);
-  slab.mesh = unstructured<2>();
-  expect_all_spaces("Delaunay", slab, 4, {2, 4, 8}, 0.45);
+  slab.mesh = unstructured();
+  expect_all_spaces("Delaunay", slab, 3, {2, 4, 8});
+  expect_all_spaces("Delaunay", slab, 4, {2, 4, 8}, 4, 0.4);
 }
 
 TEST(SpacetimeConvergence, SlowDelaunayInclined) {
   auto slab = plane_waves<2>(2.0 * pi, 0.5);
-  slab.mesh = unstructured<2>();
+  slab.mesh = unstructured();
   slab.pitch.smoothing = 0.3;
-  expect_all_spaces("Delaunay, inclined poles", slab, 3, {2, 4, 8}, 0.35);
+  expect_all_spaces("Delaunay, inclined poles", slab, 2, {2, 4, 8});
+  expect_all_spaces("Delaunay, inclined poles", slab, 3, {2, 4, 8}, 3, 0.35);
 }
 
 /// Three dimensions are dear: degree 1 for all spaces, 2 for Trefftz, as far as meshes go in seconds.
 TEST(SpacetimeConvergence, SlowCube) {
   auto slab = plane_waves<3>(3.0, 0.25);
-  expect_all_spaces("cube", slab, 1, {1, 2, 3, 4}, 0.4);
-  expect_orders<3>("cube", slab, {trefftz, 3}, {1, 2, 3}, {3.0, 3.0, 0.4, 0.8});
+  expect_all_spaces("cube", slab, 1, {2, 4, 6});
+  expect_orders<3>("cube", slab, {trefftz, 3}, {1, 2, 3}, {3.0, 3.0});
   slab.mesh = [](int n) { return sample::cube(n, 0.15, 3); };
   slab.pitch.smoothing = 0.3;
-  expect_orders<3>("cube, jittered, inclined poles", slab, {trefftz, 2}, {2, 3, 4}, {2.0, 2.0, 0.4, 0.8});
+  expect_orders<3>("cube, jittered, inclined poles", slab, {trefftz, 2}, {2, 3, 4}, {2.0, 2.0});
 }
 
 /// Boundaries that take part: tractions; or silent ones through which the exact waves come in.
@@ -168,7 +177,7 @@ TEST(SpacetimeConvergence, SlowOrthotropic) {
                                     {std::cos(0.6), std::sin(0.6)}, 5.0);
   sheet.end = 0.3;
   expect_all_spaces("orthotropic", sheet, 2, {2, 4, 8});
-  sheet.mesh = unstructured<2>();
+  sheet.mesh = unstructured();
   sheet.pitch.smoothing = 0.3;
   expect_all_spaces("orthotropic, Delaunay, inclined", sheet, 2, {2, 4, 8});
 }
@@ -244,21 +253,96 @@ Slab<D> oblique_interface(double seam, double angle, double k) {
   return slab;
 }
 
+/// Fibres at +40 degrees to x_0 meet others at -25 degrees in the plane x_0 = seam: a wave that comes along
+/// x_0 turns back and goes on as both waves of either sheet. What arrives is split by the impedances, s = -+
+/// Z v for waves to the right and left: v_on = 2 (Z- + Z+)^-1 Z- v_in.
+Slab<2> fibres_crossing(double seam, double frequency) {
+  Slab<2> slab;
+  slab.materials.resize(2);
+  EXPECT_EQ(
+      make_anisotropic<2>(1.3, {{{7.0, 2.5, 1.6}, {2.5, 5.0, 0.9}, {1.6, 0.9, 2.0}}}, slab.materials[0]), "");
+  EXPECT_EQ(
+      make_anisotropic<2>(0.9, {{{9.0, 1.5, -1.4}, {1.5, 4.0, -0.5}, {-1.4, -0.5, 1.7}}}, slab.materials[1]),
+      "");
+  std::array<std::vector<PlaneWave<2>>, 2> wave;
+  std::array<Matrix<2>, 2> z;
+  std::array<std::array<Vector<2>, 2>, 2> mode;
+  std::array<std::array<double, 2>, 2> speed;
+  for (std::size_t m = 0; m < 2; ++m) {
+    z[m] = slab.materials[m].impedance({1.0, 0.0});
+    const double angle = 0.5 * std::atan2(2.0 * z[m][0][1], z[m][0][0] - z[m][1][1]);
+    mode[m] = {{{std::cos(angle), std::sin(angle)}, {-std::sin(angle), std::cos(angle)}}};
+    for (std::size_t w = 0; w < 2; ++w) {
+      const auto& a = mode[m][w];
+      speed[m][w] =
+          (a[0] * (z[m][0][0] * a[0] + z[m][0][1] * a[1]) + a[1] * (z[m][1][0] * a[0] + z[m][1][1] * a[1])) /
+          slab.materials[m].density;
+    }
+  }
+  // Both waves come in, the second one smaller.
+  Vector<2> in{};
+  for (std::size_t w = 0; w < 2; ++w)
+    for (std::size_t i = 0; i < 2; ++i) in[i] += mode[0][w][i] / (1.0 + static_cast<double>(w));
+  Matrix<2> sum{};
+  Vector<2> push{}, on{}, back{};
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j)
+      sum[i][j] = z[0][i][j] + z[1][i][j], push[i] += 2.0 * z[0][i][j] * in[j];
+  const Matrix<2> mobility = inverse<2>(sum);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) on[i] += mobility[i][j] * push[j];
+    back[i] = on[i] - in[i];
+  }
+  const auto add = [&](std::size_t m, double direction, const Vector<2>& v) {
+    for (std::size_t w = 0; w < 2; ++w) {
+      const double size = v[0] * mode[m][w][0] + v[1] * mode[m][w][1], c = speed[m][w];
+      wave[m].push_back({{direction, 0.0}, {size * mode[m][w][0], size * mode[m][w][1]}, c, frequency / c});
+    }
+  };
+  add(0, 1.0, in), add(0, -1.0, back), add(1, 1.0, on);
+  slab.exact = [=](int material, Event<2> y) {
+    y[0] -= seam;
+    return waves<2>(wave[static_cast<std::size_t>(material)], y);
+  };
+  slab.end = 0.4;
+  return slab;
+}
+
 TEST(SpacetimeConvergence, SlowObliqueInterface) {
   auto slab = oblique_interface<2>(0.5, 0.35, 5.0);
   slab.end = 0.5;
-  expect_all_spaces("two materials, oblique", slab, 3, {2, 4, 8}, 0.4);
-  slab.mesh = unstructured<2>(0.5);
-  expect_all_spaces("two materials, oblique, Delaunay", slab, 3, {2, 4, 8}, 0.45);
+  expect_all_spaces("two materials, oblique", slab, 2, {2, 4, 8});
+  expect_all_spaces("two materials, oblique", slab, 3, {4, 8, 16}, 3);
+  slab.mesh = unstructured(0.5);
+  expect_all_spaces("two materials, oblique, Delaunay", slab, 2, {2, 4, 8});
+  expect_all_spaces("two materials, oblique, Delaunay", slab, 3, {2, 4, 8}, 3, 0.45);
+}
+
+/// Poles on the interface lean along it, those inside lean any way: facets between the materials stay
+/// upright, and so do those of the boundary; all others of such a patch are tilted.
+TEST(SpacetimeConvergence, SlowObliqueInterfaceInclined) {
+  auto slab = oblique_interface<2>(0.5, 0.35, 5.0);
+  slab.end = 0.5;
+  slab.mesh = halved(0.5);
+  slab.pitch.smoothing = 0.3;
+  expect_all_spaces("two materials, inclined poles", slab, 2, {2, 4, 8});
+}
+
+/// Two sheets of fibres that run across each other, under a wave along x_0: the impedances do not commute.
+TEST(SpacetimeConvergence, SlowAnisotropicInterfaceInclined) {
+  auto slab = fibres_crossing(0.5, 5.0);
+  slab.mesh = halved(0.5);
+  slab.pitch.smoothing = 0.3;
+  expect_all_spaces("two sheets of fibres, inclined", slab, 2, {2, 4, 8});
 }
 
 TEST(SpacetimeConvergence, SlowTetrahedra) {
   auto slab = plane_waves<3>(3.0, 0.15);
   slab.mesh = [](int n) { return sample::scattered<3>(n, 0.75, 7); };
-  expect_orders<3>("Delaunay tetrahedra", slab, {trefftz, 2}, {2, 3, 4}, {2.0, 2.0, 0.5, 0.8});
+  expect_orders<3>("Delaunay tetrahedra", slab, {trefftz, 2}, {2, 3, 4}, {2.0, 2.0});
   auto seam = oblique_interface<3>(0.5, 0.35, 3.0);
   seam.end = 0.15;
-  expect_orders<3>("cube, two materials, oblique", seam, {trefftz, 2}, {2, 4, 6}, {2.0, 2.0, 0.4, 0.8});
+  expect_orders<3>("cube, two materials, oblique", seam, {trefftz, 2}, {2, 4, 6}, {2.0, 2.0});
 }
 
 /// A standing wave in a bar of two materials, held at its ends.
