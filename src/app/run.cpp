@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "app/commands.hpp"
 #include "app/simulate.hpp"
 #include "base/threads.hpp"
 #include "results/restart.hpp"
@@ -28,6 +29,13 @@ bool prepare(const std::filesystem::path& directory) {
   return false;
 }
 
+/// NOSOL of *CONTROL_TERMINATION: what `cleave check` says, and no run directory.
+int run_nothing(const Options& options) {
+  const int status = check(options);
+  std::printf("\n  NOSOL = 1: nothing was computed\n");
+  return status;
+}
+
 }  // namespace
 
 /// The whole program on one page: deck -> model -> world -> state -> solver and observers.
@@ -35,6 +43,7 @@ int run(const Options& options) {
   base::set_thread_count(options.threads);
 
   Reading reading = read_deck(options);
+  if (reading.model.control.end.no_solution_check && !reading.failed()) return run_nothing(options);
   print_diagnostics(reading);
   if (reading.failed()) return bad_deck;
 

@@ -128,8 +128,10 @@ void check_nodes(const Model& model, const deck::Deck& deck, deck::Diagnostics& 
     if (!massive[i]) loaded.push_back(model.mesh.nodes.id[i]);
   };
   for (const NodeLoad& load : model.node_loads) std::for_each(load.nodes.begin(), load.nodes.end(), look);
-  for (const SegmentLoad& load : model.segment_loads)
+  for (const SegmentLoad& load : model.segment_loads) {
     for (const Segment& s : load.segments) std::for_each(s.node, s.node + 4, look);
+    for (const auto& face : load.quadratic) std::for_each(face.begin(), face.end(), look);
+  }
   std::sort(loaded.begin(), loaded.end());
   loaded.erase(std::unique(loaded.begin(), loaded.end()), loaded.end());
   const auto place_of = [&](Id id) { return row_places(deck, "NODE", IdKind::node, {id})[id]; };
@@ -148,6 +150,8 @@ void check_curves(const Model& model, deck::Diagnostics& diagnostics) {
   for (const auto& l : model.node_loads) used.insert(l.curve);
   for (const auto& l : model.segment_loads) used.insert(l.curve);
   for (const auto& l : model.body_loads) used.insert(l.curve);
+  for (const auto& w : model.walls)
+    if (!w.motion_is_displacement && w.death >= model.control.end.time) used.insert(w.motion);
   for (const Index i : used) {
     if (i < 0) continue;
     const Curve& c = model.curves[i];

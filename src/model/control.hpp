@@ -14,6 +14,7 @@ struct TimeStepControl {
   double first = 0.0;                    ///< DTINIT, 0 automatic [time]
   double safety = 0.9;                   ///< TSSFAC
   double mass_scaling = 0.0;             ///< DT2MS: <0 only smaller elements, >0 all; 0 none [time]
+  double mass_scaling_fraction = 0.0;    ///< DT2MSF: of the first stable step, in place of DT2MS; 0 none [-]
   Index mass_scaling_curve = -1;         ///< DT2MSLC: DT2MS over time, index into curves
   bool mass_scaling_first_only = false;  ///< MS1ST
   Index limit_curve = -1;                ///< LCTM: step limit over time, index into curves
@@ -26,7 +27,7 @@ struct Termination {
   double step_fraction = 0.0;      ///< DTMIN: stop when step < DTMIN * initial step; 0 none
   double energy_change = 0.0;      ///< ENDENG: percent change of energy ratio; 0 none
   double mass_change = 0.0;        ///< ENDMAS: percent change of mass; 0 none (only with mass scaling)
-  bool no_solution_check = false;  ///< NOSOL is refused; kept false
+  bool no_solution_check = false;  ///< NOSOL: the deck is read and checked, nothing is computed
   struct NodeBound {               ///< *TERMINATION_NODE: stop on a displacement bound
     Index node;
     int stop;                 ///< 1 x, 2 y, 3 z outside [minimum, maximum]

@@ -108,7 +108,8 @@ bool same(const FixedNodes& a, const FixedNodes& b) {
 }
 bool same(const PrescribedMotion& a, const PrescribedMotion& b) {
   return a.id == b.id && a.title == b.title && same(a.nodes, b.nodes) && a.kind == b.kind &&
-         same(a.direction, b.direction) && a.only_direction == b.only_direction && a.curve == b.curve &&
+         same(a.direction, b.direction) && a.only_direction == b.only_direction && a.rotation == b.rotation &&
+         same(a.centre, b.centre) && a.radial_free == b.radial_free && a.curve == b.curve &&
          a.scale == b.scale && a.birth == b.birth && a.death == b.death;
 }
 bool same(const NodeLoad& a, const NodeLoad& b) {
@@ -116,11 +117,13 @@ bool same(const NodeLoad& a, const NodeLoad& b) {
          same(a.follow, b.follow) && a.curve == b.curve && a.scale == b.scale;
 }
 bool same(const SegmentLoad& a, const SegmentLoad& b) {
-  return same(a.segments, b.segments) && a.curve == b.curve && a.scale == b.scale && a.arrival == b.arrival;
+  return same(a.segments, b.segments) && a.quadratic == b.quadratic && a.curve == b.curve &&
+         a.scale == b.scale && a.arrival == b.arrival;
 }
 bool same(const BodyLoad& a, const BodyLoad& b) {
   return same(a.direction, b.direction) && a.rotation == b.rotation && same(a.centre, b.centre) &&
-         a.curve == b.curve && a.scale == b.scale && same(a.nodes, b.nodes);
+         a.curve == b.curve && a.scale == b.scale && same(a.nodes, b.nodes) && a.angular == b.angular &&
+         a.generalized == b.generalized;
 }
 bool same(const RigidWall& a, const RigidWall& b) {
   return a.id == b.id && a.title == b.title && same(a.nodes, b.nodes) && same(a.origin, b.origin) &&
@@ -208,7 +211,7 @@ bool same(const Interval& a, const Interval& b) {
 
 bool same(const TimeStepControl& a, const TimeStepControl& b) {
   return a.first == b.first && a.safety == b.safety && a.mass_scaling == b.mass_scaling &&
-         a.mass_scaling_curve == b.mass_scaling_curve &&
+         a.mass_scaling_curve == b.mass_scaling_curve && a.mass_scaling_fraction == b.mass_scaling_fraction &&
          a.mass_scaling_first_only == b.mass_scaling_first_only && a.limit_curve == b.limit_curve &&
          a.erode == b.erode;
 }

@@ -2,6 +2,7 @@
 /// What acts on the body: loads, constraints, walls, initial state. All ids are resolved to indices. Places
 /// in the deck serve messages; they are not compared.
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -32,15 +33,20 @@ struct FixedNodes {
   deck::Place place{};
 };
 
-/// Prescribed translation along one direction (*BOUNDARY_PRESCRIBED_MOTION_NODE/SET).
+/// Prescribed translation along one direction, or rotation about an axis
+/// (*BOUNDARY_PRESCRIBED_MOTION_NODE/SET).
 struct PrescribedMotion {
-  enum class Kind { velocity, acceleration, displacement };
+  enum class Kind { velocity, acceleration, displacement, velocity_by_displacement };  ///< VAD 0 to 3
   Id id = 0;
   std::string title;
   std::vector<Index> nodes;
   Kind kind = Kind::velocity;
   Vector direction = {1, 0, 0};  ///< unit vector
   bool only_direction = true;    ///< false: DOF < 0, motion across the direction is fixed too
+  bool rotation =
+      false;  ///< DOF 9..11: about `direction` through `centre`; the curve is an angle, its rate, ...
+  Vector centre{0, 0, 0};
+  bool radial_free = false;  ///< DOF -9..-11: the distance from the axis may change
   Index curve = -1;
   double scale = 1.0;
   double birth = 0.0, death = forever;
@@ -61,6 +67,8 @@ struct NodeLoad {
 /// Pressure on faces, positive into the body (*LOAD_SEGMENT); uniform or along a vector.
 struct SegmentLoad {
   std::vector<Segment> segments;
+  /// Faces of ten-node tetrahedra: three corners, then the nodes amid the edges 12, 23, 31.
+  std::vector<std::array<Index, 6>> quadratic;
   Index curve = -1;
   double scale = 1.0;
   double arrival = 0.0;  ///< AT
@@ -69,12 +77,16 @@ struct SegmentLoad {
 
 /// Acceleration field (*LOAD_BODY): the body feels `-` base acceleration, as the format defines it.
 struct BodyLoad {
-  Vector direction = {0, 0, 1};  ///< unit axis
+  Vector direction = {0, 0, 1};  ///< unit axis; of a generalized load the scale of each component
   bool rotation = false;         ///< angular velocity about `centre` instead of translation
   Vector centre = {0, 0, 0};
   Index curve = -1;
   double scale = 1.0;
   std::vector<bool> nodes;  ///< empty: all nodes; else one flag per node
+  /// What a rotating base does to the body; Coriolis and Euler accelerations by *LOAD_BODY_GENERALIZED alone.
+  enum class Angular { centrifugal, coriolis, euler };
+  Angular angular = Angular::centrifugal;
+  bool generalized = false;  ///< of *LOAD_BODY_GENERALIZED, which has nodes of its own
   deck::Place place{};
 };
 

@@ -24,6 +24,8 @@ struct Moment {
   std::span<const double> position;  ///< [node][3] at t_n [length]
   std::span<const double> velocity;  ///< [node][3] at t_n - step_before / 2 [length/time]
   std::span<const double> mass;      ///< [node]
+  /// [node][3] at t_n-1, for loads alone: it is overwritten when they are known [length/time^2]
+  std::span<const double> acceleration_before = {};
 
   /// From the middle of the step before to the middle of the next: what an acceleration acts for [time].
   double interval() const { return 0.5 * (step_before + step); }

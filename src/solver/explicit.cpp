@@ -90,6 +90,7 @@ class Explicit final : public Solver {
     wall_after,
     gross_work,
     step_element,
+    first_stable,
     number_count
   };
 
@@ -148,7 +149,8 @@ class Explicit final : public Solver {
     const bool start = state.cycle == 0;
     erosion_->remove(eroded_, state);
     StableStep stable{output.stable_step, output.stable_element};
-    if (scaling_.active()) scaling_.apply(state, factors(state), start, stable);
+    if (start) number(state, first_stable) = stable.step;
+    if (scaling_.active()) scaling_.apply(state, factors(state), start, number(state, first_stable), stable);
     state.next_step = choose_step(model_, state, or_rigid(stable));
     for (std::size_t c = 0; c < constraints_.size(); ++c)
       state.next_step = std::min(state.next_step,
@@ -158,7 +160,8 @@ class Explicit final : public Solver {
     if (start) state.first_step = state.next_step;
     number(state, step_element) = static_cast<double>(stable.element);
 
-    const Moment now{state.time, state.step, state.next_step, state.position, state.velocity, state.mass};
+    const Moment now{state.time,     state.step, state.next_step,    state.position,
+                     state.velocity, state.mass, acceleration(state)};
     watch_.lap(Phase::update);
     add_loads(now);
     watch_.lap(Phase::loads);

@@ -20,4 +20,10 @@ inline bool is_triangle(const model::Segment& face) {
 /// @return area vectors, outward where the corners run counter-clockwise seen from outside [length^2]
 std::array<base::Vec3<double>, 4> face_vectors(const model::Segment& face, std::span<const double> position);
 
+/// The same for a face with six nodes (three corners, then the nodes amid the edges 12, 23, 31), N_a
+/// quadratic. The integrand has degree four, for which the rule of six points is exact. Source: Dunavant
+/// 1985, degree 4.
+std::array<base::Vec3<double>, 6> face_vectors(const std::array<model::Index, 6>& face,
+                                               std::span<const double> position);
+
 }  // namespace cleave::solver

@@ -34,16 +34,17 @@ double least_step(const model::Model& model, const State& state) {
 
 bool MassScaling::active() const {
   const model::TimeStepControl& control = world_.model->control.step;
-  return control.mass_scaling != 0.0;
+  return control.mass_scaling != 0.0 || control.mass_scaling_fraction > 0.0;
 }
 
 base::Array<double> MassScaling::first_memory(std::size_t block) const {
   return base::Array<double>(world_.blocks[block]->element_ids().size(), 1.0);
 }
 
-double MassScaling::wanted(double time) const {
+double MassScaling::wanted(double time, double first) const {
   const model::TimeStepControl& control = world_.model->control.step;
   double step = std::abs(control.mass_scaling);
+  if (control.mass_scaling_fraction > 0.0) step = control.mass_scaling_fraction * first;
   if (control.mass_scaling_curve >= 0) {  // the curve may only increase it
     const model::Curve& curve = world_.model->curves[static_cast<std::size_t>(control.mass_scaling_curve)];
     step = std::max(step, std::abs(curve.value(time)));
@@ -52,11 +53,11 @@ double MassScaling::wanted(double time) const {
 }
 
 bool MassScaling::apply(State& state, const std::vector<base::Array<double>*>& factors, bool start,
-                        StableStep& stable) {
+                        double first, StableStep& stable) {
   const model::TimeStepControl& control = world_.model->control.step;
   const bool all = control.mass_scaling > 0.0;
   const bool may_change = start || !control.mass_scaling_first_only;
-  const double goal = wanted(state.time);
+  const double goal = wanted(state.time, first);
   stable = StableStep{};
   mass_.assign(world_.node_count(), 0.0);
   bool changed = false;

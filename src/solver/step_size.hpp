@@ -31,7 +31,8 @@ double limit_step(double step, double stable, double rate, double damping);
 double least_step(const model::Model& model, const discretisation::State& state);
 
 /// DT2MS: elements whose step is too small get mass (DT2MS < 0), or all get the mass that makes their steps
-/// equal (DT2MS > 0). Source: the stable step grows with the square root of the density.
+/// equal (DT2MS > 0). DT2MSF stands for DT2MS = -DT2MSF times the first step. Source: the stable step grows
+/// with the square root of the density.
 class MassScaling {
  public:
   explicit MassScaling(const discretisation::World& world) : world_(world) {}
@@ -41,12 +42,13 @@ class MassScaling {
   base::Array<double> first_memory(std::size_t block) const;
   /// Adds or takes mass, and answers the stable step with it.
   /// @param factors  per block [element], the mass of each element in units of its own
+  /// @param first    stable step of the unscaled mesh at the start, for DT2MSF [time]
   /// @return true if the masses of nodes changed
   bool apply(discretisation::State& state, const std::vector<base::Array<double>*>& factors, bool start,
-             StableStep& stable);
+             double first, StableStep& stable);
 
  private:
-  double wanted(double time) const;
+  double wanted(double time, double first) const;
 
   const discretisation::World& world_;
   std::vector<double> steps_, change_, mass_;  // scratch

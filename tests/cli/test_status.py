@@ -68,6 +68,16 @@ class Statuses(Case):
         self.cleave("run", deck, "-q", status=3)
         self.cleave("run", deck, "-q", "--end-time", "1e-7")
 
+    def test_a_deck_that_wants_no_solution_is_checked(self):
+        text = bar((1, 1, 9), end=1e-6)
+        at = text.index("*CONTROL_TERMINATION\n") + len("*CONTROL_TERMINATION\n")
+        end = text.index("\n", at)
+        deck = self.write("nosol.k", text[:end].ljust(at + 10) + " " * 39 + "1" + text[end:])
+        out, _ = self.cleave("run", deck)
+        for word in ("jacobian", "time step", "9 elements", "NOSOL = 1: nothing was computed"):
+            self.assertIn(word, out)
+        self.assertEqual(os.listdir(self.folder), ["nosol.k"])
+
     def test_an_element_unfit_for_its_form_has_its_line(self):
         text = bar((1, 1, 2))
         lines = text.splitlines()

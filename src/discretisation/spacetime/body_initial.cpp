@@ -155,9 +155,13 @@ void set_body_force(const model::Model& model, Body<D>& body, deck::Diagnostics&
         std::all_of(body.node_of_vertex.begin(), body.node_of_vertex.end(),
                     [&](model::Index i) { return load.nodes[static_cast<std::size_t>(i)]; });
     if (!everywhere)
-      diagnostics.error(load.place, "LOAD_BODY_PARTS", "PSID",
+      diagnostics.error(load.place, load.generalized ? "LOAD_BODY_GENERALIZED" : "LOAD_BODY_PARTS", "",
                         "a body force on some of the spacetime parts is not computed",
                         "let it act on all parts");
+    if (load.rotation && load.angular != model::BodyLoad::Angular::centrifugal)
+      diagnostics.error(load.place, "LOAD_BODY_GENERALIZED", "ANGTYP",
+                        "Coriolis and rotational accelerations are not computed for spacetime parts",
+                        "CENT, the centrifugal one, is");
     Acceleration<D> a{.history = History(model.curves[static_cast<std::size_t>(load.curve)], load.scale, 0.0,
                                          History::Kind::value),
                       .rotation = load.rotation};
@@ -171,9 +175,10 @@ void set_body_force(const model::Model& model, Body<D>& body, deck::Diagnostics&
       diagnostics.error(load.place, "LOAD_BODY", "",
                         "this body force points out of the plane or line of the body",
                         load.rotation ? "in the plane only a rotation about z is possible" : "leave it out");
+    const double square = load.generalized ? base::dot(load.direction, load.direction) : 1.0;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
-        a.arm[i][j] = (i == j ? 1.0 : 0.0) - component(load.direction, i) * component(load.direction, j);
+        a.arm[i][j] = (i == j ? square : 0.0) - component(load.direction, i) * component(load.direction, j);
     list.push_back(a);
   }
   if (list.empty()) return;

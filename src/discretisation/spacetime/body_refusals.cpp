@@ -29,7 +29,8 @@ void refuse_unsupported(const model::Model& model, deck::Diagnostics& diagnostic
              "leave it out");
   }
   const model::Control& control = model.control;
-  if (control.step.mass_scaling != 0.0 || control.step.mass_scaling_curve >= 0)
+  if (control.step.mass_scaling != 0.0 || control.step.mass_scaling_fraction > 0.0 ||
+      control.step.mass_scaling_curve >= 0)
     refuse({}, "CONTROL_TIMESTEP", "DT2MS", "masses are not scaled in spacetime parts",
            "small elements need no scaling here: only they take small steps");
   if (control.step.erode)

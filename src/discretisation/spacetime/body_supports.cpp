@@ -117,6 +117,12 @@ void Supports<D>::add_motion(const model::Model& model, const model::PrescribedM
         motion.place, keyword, motion.birth > 0.0 ? "BIRTH" : "DEATH",
         "a motion that begins or ends during the run is not computed for spacetime parts",
         "let the curve of a velocity be 0 before it begins; leave BIRTH and DEATH blank");
+  if (motion.rotation || motion.kind == Kind::velocity_by_displacement)
+    return diagnostics_.error(motion.place, keyword, motion.rotation ? "DOF" : "VAD",
+                              motion.rotation
+                                  ? "rotation about an axis is not computed for spacetime parts"
+                                  : "velocity over displacement is not computed for spacetime parts",
+                              "prescribe velocities or displacements over time, along DOF 1, 2 or 3");
   const model::Curve& curve = model.curves[static_cast<std::size_t>(motion.curve)];
   if (motion.kind == Kind::displacement) {
     bool jumps = curve.value(0.0) != 0.0;

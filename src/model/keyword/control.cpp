@@ -10,6 +10,7 @@ void take_termination(Draft& draft, const Entry& entry) {
   end.time = entry.real("ENDTIM", a_time);
   if (!(end.time > 0.0)) draft.error(entry, "ENDTIM", "the end time must be above 0");
   end.cycles = entry.integer("ENDCYC");
+  end.no_solution_check = entry.integer("NOSOL") == 1;
   end.step_fraction = entry.real("DTMIN", pure);
   end.energy_change = entry.real("ENDENG", pure);
   // The documented default of 1e8 percent means: never.
@@ -25,8 +26,17 @@ void take_time_step(Draft& draft, const Entry& entry) {
                   "found " + std::to_string(step.safety) + ", expected a factor between 0 and 1");
   step.mass_scaling = entry.real("DT2MS", a_time);
   step.mass_scaling_first_only = entry.integer("MS1ST") == 1;
+  step.mass_scaling_fraction = entry.real("DT2MSF", pure);
+  if (step.mass_scaling_fraction < 0.0)
+    draft.error(entry, "DT2MSF",
+                "found " + std::to_string(step.mass_scaling_fraction) + ", expected 0 or above",
+                "the fraction of the first step below which elements get mass");
+  if (step.mass_scaling_fraction > 0.0 && step.mass_scaling != 0.0) {
+    draft.warning(entry, "DT2MSF", "not used with DT2MS, which gives the step itself");
+    step.mass_scaling_fraction = 0.0;
+  }
   step.erode = entry.integer("ERODE") != 0;
-  if (step.erode && step.mass_scaling != 0.0)
+  if (step.erode && (step.mass_scaling != 0.0 || step.mass_scaling_fraction > 0.0))
     draft.warning(entry, "ERODE", "not used with mass scaling (DT2MS): a scaled element is not small",
                   "leave DT2MS blank to delete elements by their time step");
   step.limit_curve = draft.curve(entry, "LCTM", false);
@@ -100,14 +110,14 @@ void take_relaxation(Draft& draft, const Entry& entry) {
 constexpr Handler handlers[] = {
     {.keyword = "CONTROL_TERMINATION",
      .phase = Phase::definition,
-     .honoured = "ENDTIM ENDCYC DTMIN ENDENG ENDMAS",
+     .honoured = "ENDTIM ENDCYC DTMIN ENDENG ENDMAS NOSOL",
      .take = take_termination},
     {.keyword = "CONTROL_TIMESTEP",
      .phase = Phase::definition,
-     .honoured = "DTINIT TSSFAC ISDO DT2MS LCTM ERODE MS1ST DT2MSLC",
+     .honoured = "DTINIT TSSFAC ISDO DT2MS LCTM ERODE MS1ST DT2MSF DT2MSLC",
      .harmless = "TSLIMT IHDO IGADO",
      .take = take_time_step,
-     .remark = "selective mass scaling (IMSCL, RMSCL) and DT2MSF are refused"},
+     .remark = "selective mass scaling (IMSCL, RMSCL) is refused"},
     {.keyword = "CONTROL_BULK_VISCOSITY",
      .phase = Phase::definition,
      .honoured = "Q1 Q2 TYPE",

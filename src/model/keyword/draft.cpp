@@ -237,6 +237,23 @@ std::optional<Draft::ElementPlace> Draft::element(Id id) {
   return at->second;
 }
 
+Index Draft::mid_node(Index a, Index b) {
+  if (!mid_nodes_) {
+    mid_nodes_.emplace();
+    constexpr int edges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+    for (const Elements& group : model.mesh.solids) {
+      if (group.shape != Shape::tet10) continue;
+      for (std::size_t e = 0; e < group.count(); ++e) {
+        const Index* n = &group.node[10 * e];
+        for (int k = 0; k < 6; ++k)
+          mid_nodes_->emplace(std::minmax(n[edges[k][0]], n[edges[k][1]]), n[4 + k]);
+      }
+    }
+  }
+  const auto at = mid_nodes_->find(std::minmax(a, b));
+  return at == mid_nodes_->end() ? -1 : at->second;
+}
+
 // --- *INCLUDE_TRANSFORM ------------------------------------------------------------------------------
 
 const Affine& Draft::motion(int transform) {

@@ -59,6 +59,8 @@ class Draft {
     std::uint32_t group, index;  ///< of Mesh::solids, of the arrays in it
   };
   std::optional<ElementPlace> element(Id id);
+  /// Node amid the edge between two corners of a ten-node tetrahedron; -1 where there is none.
+  Index mid_node(Index a, Index b);
   /// Velocities are laid on in the order the format ranks them, after all cards are read.
   std::vector<std::function<void()>> velocity_layers[3];
   /// What must wait until every card of the phase has been read; run and cleared after each phase.
@@ -106,6 +108,7 @@ class Draft {
  private:
   std::map<std::pair<std::string, Id>, deck::Place> claimed_;
   std::vector<std::pair<Id, ElementPlace>> element_index_;
+  std::optional<std::map<std::pair<Index, Index>, Index>> mid_nodes_;
   std::map<int, Affine> motions_;
 };
 

@@ -1,6 +1,7 @@
-/// *LOAD_NODE_POINT and _SET, *LOAD_SEGMENT and _SET, *LOAD_BODY_*.
+/// *LOAD_NODE_POINT and _SET, *LOAD_SEGMENT and _SET, *LOAD_BODY_* but _GENERALIZED.
 
 #include <algorithm>
+#include <array>
 
 #include "model/keyword/handler.hpp"
 #include "model/keyword/selection.hpp"
@@ -74,19 +75,45 @@ bool pressure_curve(Draft& draft, const Entry& entry, SegmentLoad& load) {
   return load.curve >= 0;
 }
 
+/// N5 to N8: the face of a ten-node tetrahedron, whose mid nodes may stand in any order; the mesh knows
+/// theirs.
+bool read_mid_nodes(Draft& draft, const Entry& entry, const Segment& corners, std::array<Index, 6>& face) {
+  if (corners.node[3] != corners.node[2]) {
+    draft.refuse(entry, "N5", "pressure on a face with eight nodes: there are no elements with such faces",
+                 "give the corner nodes N1 to N4 alone");
+    return false;
+  }
+  std::vector<Index> given;
+  for (const std::string_view field : {"N5", "N6", "N7", "N8"}) {
+    if (entry.integer(field) == 0) continue;
+    const Index node = draft.node(entry, field);
+    if (node < 0) return false;
+    if (node != corners.node[2]) given.push_back(node);  // an edge without length may repeat its corner
+  }
+  std::copy(corners.node, corners.node + 3, face.begin());
+  for (int k = 0; k < 3; ++k) face[3 + k] = draft.mid_node(corners.node[k], corners.node[(k + 1) % 3]);
+  if (given.size() == 3 && std::is_permutation(given.begin(), given.end(), face.begin() + 3)) return true;
+  draft.error(entry, "N5", "these are not the nodes amid the edges of a face of a ten-node tetrahedron",
+              "give three corners, N4 = N3, and the three nodes amid the edges between them");
+  return false;
+}
+
 void take_segment_load(Draft& draft, const Entry& entry) {
   SegmentLoad load;
-  if (entry.integer("N5") != 0)
-    return draft.refuse(entry, "N5", "pressure on a face with mid nodes",
-                        "give the corner nodes N1 to N4 alone");
   Segment segment;
   if (!pressure_curve(draft, entry, load) || !read_segment(draft, entry, 0, segment)) return;
-  load.segments = {segment};
+  if (entry.integer("N5") != 0) {
+    load.quadratic.resize(1);
+    if (!read_mid_nodes(draft, entry, segment, load.quadratic[0])) return;
+  } else {
+    load.segments = {segment};
+  }
   auto& all = draft.model.segment_loads;
   if (!draft.first_of_block && !all.empty()) {
     SegmentLoad& last = all.back();
     if (last.curve == load.curve && last.scale == load.scale && last.arrival == load.arrival) {
-      last.segments.push_back(segment);
+      last.segments.insert(last.segments.end(), load.segments.begin(), load.segments.end());
+      last.quadratic.insert(last.quadratic.end(), load.quadratic.begin(), load.quadratic.end());
       return;
     }
   }
@@ -134,7 +161,8 @@ void take_body_parts(Draft& draft, const Entry& entry) {
   std::vector<bool> flags(draft.model.mesh.nodes.count(), false);
   for (const Index i : draft.nodes_of_parts(*parts)) flags[i] = true;
   draft.after_phase.push_back([&draft, flags = std::move(flags)] {
-    for (BodyLoad& load : draft.model.body_loads) load.nodes = flags;
+    for (BodyLoad& load : draft.model.body_loads)
+      if (!load.generalized) load.nodes = flags;
   });
 }
 
@@ -144,9 +172,9 @@ constexpr Handler handlers[] = {
     {.keyword = "LOAD_NODE_POINT", .honoured = nodal, .take = take_node_load},
     {.keyword = "LOAD_NODE", .honoured = nodal, .take = take_node_load},
     {.keyword = "LOAD_NODE_SET", .honoured = nodal, .take = take_node_load},
-    {.keyword = "LOAD_SEGMENT", .honoured = "LCID SF AT N1 N2 N3 N4 N5", .take = take_segment_load},
+    {.keyword = "LOAD_SEGMENT", .honoured = "LCID SF AT N1 N2 N3 N4 N5 N6 N7 N8", .take = take_segment_load},
     {.keyword = "LOAD_SEGMENT_ID",
-     .honoured = "ID HEADING LCID SF AT N1 N2 N3 N4 N5",
+     .honoured = "ID HEADING LCID SF AT N1 N2 N3 N4 N5 N6 N7 N8",
      .take = take_segment_load},
     {.keyword = "LOAD_SEGMENT_SET", .honoured = "ID HEADING SSID LCID SF AT", .take = take_segment_set_load},
     {.keyword = "LOAD_BODY_X", .honoured = body, .take = take_body},

@@ -1,4 +1,5 @@
-/// *BOUNDARY_PRESCRIBED_MOTION_NODE and _SET: translations along a global axis or a vector.
+/// *BOUNDARY_PRESCRIBED_MOTION_NODE and _SET: translations along a global axis or a vector, rotations about a
+/// line along a global axis.
 
 #include <algorithm>
 #include <cstdlib>
@@ -58,18 +59,33 @@ void take_motion(Draft& draft, const Entry& entry) {
                           "prescribe the translations that the rotation makes");
     case 9:
     case 10:
-    case 11:
+    case 11: {
+      // Offsets in the plane across the axis, in cyclic order: y z, z x, x y.
+      const double first = entry.real("OFFSET1", a_length), second = entry.real("OFFSET2", a_length);
+      const int axis = static_cast<int>(dof < 0 ? -dof : dof) - 9;
+      motion.rotation = true;
+      motion.radial_free = dof < 0;
+      motion.direction = axis == 0 ? Vector{1, 0, 0} : axis == 1 ? Vector{0, 1, 0} : Vector{0, 0, 1};
+      motion.centre = axis == 0   ? Vector{0, first, second}
+                      : axis == 1 ? Vector{second, 0, first}
+                                  : Vector{first, second, 0};
+      draft.refuse_turned(entry, "a rotation about a global axis");
+      break;
+    }
     case 12:
-      return draft.refuse(entry, "DOF",
-                          "motion about an axis or along segment normals (DOF " + std::to_string(dof) + ")",
+      return draft.refuse(entry, "DOF", "motion along the normals of segments (DOF 12)",
                           "prescribe translations (DOF 1, 2, 3 or 4)");
     default:
-      return draft.error(
-          entry, "DOF", "found " + std::to_string(dof) + ", expected 1, 2, 3 (x, y, z) or 4, -4 (along VID)");
+      return draft.error(entry, "DOF",
+                         "found " + std::to_string(dof) +
+                             ", expected 1, 2, 3 (x, y, z), 4, -4 (along VID) or 9, 10, 11 (about x, y, z)");
   }
-  if (dof < 0 && dof != -4)
+  if (dof < 0 && dof != -4 && !motion.rotation)
     return draft.error(entry, "DOF", "found " + std::to_string(dof) + ", expected 1, 2 or 3",
-                       "only 4 may be negative here");
+                       "only 4, 9, 10 and 11 may be negative here");
+  if (entry.integer("LRB") != 0)
+    return draft.refuse(entry, "LRB", "motion relative to a rigid body",
+                        "prescribe the motion in global axes");
 
   switch (entry.integer("VAD")) {
     case 0:
@@ -81,9 +97,19 @@ void take_motion(Draft& draft, const Entry& entry) {
     case 2:
       motion.kind = PrescribedMotion::Kind::displacement;
       break;
+    case 3:
+      motion.kind = PrescribedMotion::Kind::velocity_by_displacement;
+      if (motion.rotation)
+        return draft.refuse(entry, "VAD", "speed of rotation over angle (VAD 3)",
+                            "give it over time (0), or the angle over time (2)");
+      break;
+    case 4:
+      return draft.refuse(entry, "VAD", "relative displacement (VAD 4) is one of rigid bodies",
+                          "give the displacement (2) over time");
     default:
-      return draft.refuse(entry, "VAD", "motion of kind " + std::to_string(entry.integer("VAD")),
-                          "give velocity (0), acceleration (1) or displacement (2) over time");
+      return draft.error(
+          entry, "VAD", "found " + std::to_string(entry.integer("VAD")) + ", expected 0 to 4",
+          "velocity (0), acceleration (1) or displacement (2) over time, velocity over displacement (3)");
   }
   motion.curve = draft.curve(entry, "LCID");
   if (motion.curve < 0) return;
@@ -98,8 +124,9 @@ void take_motion(Draft& draft, const Entry& entry) {
     PrescribedMotion& last = all.back();
     if (last.id == 0 && last.title.empty() && last.kind == motion.kind &&
         same(last.direction, motion.direction) && last.only_direction == motion.only_direction &&
-        last.curve == motion.curve && last.scale == motion.scale && last.birth == motion.birth &&
-        last.death == motion.death) {
+        last.rotation == motion.rotation && same(last.centre, motion.centre) &&
+        last.radial_free == motion.radial_free && last.curve == motion.curve && last.scale == motion.scale &&
+        last.birth == motion.birth && last.death == motion.death) {
       last.nodes.push_back(motion.nodes[0]);
       return;
     }
@@ -107,11 +134,12 @@ void take_motion(Draft& draft, const Entry& entry) {
   all.push_back(std::move(motion));
 }
 
-constexpr std::string_view fields = "ID HEADING NID NSID DOF VAD LCID SF VID DEATH BIRTH";
+constexpr std::string_view fields = "ID HEADING NID NSID DOF VAD LCID SF VID DEATH BIRTH OFFSET1 OFFSET2 LRB";
+constexpr std::string_view remark = "VAD 4, LRB, NODE1 and NODE2 are those of rigid bodies";
 constexpr Handler handlers[] = {
-    {.keyword = "BOUNDARY_PRESCRIBED_MOTION_NODE", .honoured = fields, .take = take_motion},
-    {.keyword = "BOUNDARY_PRESCRIBED_MOTION", .honoured = fields, .take = take_motion},
-    {.keyword = "BOUNDARY_PRESCRIBED_MOTION_SET", .honoured = fields, .take = take_motion},
+    {.keyword = "BOUNDARY_PRESCRIBED_MOTION_NODE", .honoured = fields, .take = take_motion, .remark = remark},
+    {.keyword = "BOUNDARY_PRESCRIBED_MOTION", .honoured = fields, .take = take_motion, .remark = remark},
+    {.keyword = "BOUNDARY_PRESCRIBED_MOTION_SET", .honoured = fields, .take = take_motion, .remark = remark},
 };
 
 }  // namespace

@@ -35,14 +35,17 @@ class ActionWriter {
     int dof = m.only_direction ? axis_of(m.direction) : 0;
     const Id vid = dof == 0 ? references_.vector(m.direction) : 0;
     if (dof == 0) dof = m.only_direction ? 4 : -4;
-    const int vad = m.kind == PrescribedMotion::Kind::velocity       ? 0
-                    : m.kind == PrescribedMotion::Kind::acceleration ? 1
-                                                                     : 2;
+    const Vector &d = m.direction, &c = m.centre;
+    if (m.rotation) dof = (m.radial_free ? -1 : 1) * (8 + axis_of(d));
+    const int vad = static_cast<int>(m.kind);
     const bool named = m.id != 0 || !m.title.empty();
     const auto* set = m.nodes.size() == 1 ? nullptr : set_of(model_.node_sets, m.nodes);
     const auto row = [&](Id id) {
       if (named) out_.id_line(m.id, m.title);
       out_.line({id, dof, vad, curve(m.curve), m.scale, vid, m.death, m.birth});
+      if (m.rotation && d.x == 1) out_.line({c.y, c.z});
+      if (m.rotation && d.y == 1) out_.line({c.z, c.x});
+      if (m.rotation && d.z == 1) out_.line({c.x, c.y});
     };
     out_.keyword(std::string("BOUNDARY_PRESCRIBED_MOTION_") + (set ? "SET" : "NODE") + (named ? "_ID" : ""));
     if (set) return row(set->id);
@@ -64,7 +67,7 @@ class ActionWriter {
   }
 
   void pressure(const SegmentLoad& l) {
-    if (const auto* set = set_of(model_.segment_sets, l.segments)) {
+    if (const auto* set = l.quadratic.empty() ? set_of(model_.segment_sets, l.segments) : nullptr) {
       out_.keyword("LOAD_SEGMENT_SET");
       return out_.line({set->id, curve(l.curve), l.scale, l.arrival});
     }
@@ -72,9 +75,15 @@ class ActionWriter {
     for (const Segment& s : l.segments)
       out_.line({curve(l.curve), l.scale, l.arrival, node(s.node[0]), node(s.node[1]), node(s.node[2]),
                  node(s.node[3])});
+    for (const auto& f : l.quadratic) {
+      out_.line(
+          {curve(l.curve), l.scale, l.arrival, node(f[0]), node(f[1]), node(f[2]), node(f[2]), node(f[3])});
+      out_.line({node(f[4]), node(f[5]), 0});
+    }
   }
 
   void body(const BodyLoad& l) {
+    if (l.generalized) return generalized(l);
     const int axis = axis_of(l.direction);
     static constexpr std::string_view names[] = {"", "X", "Y", "Z"};
     if (!l.rotation && axis == 0) {
@@ -88,10 +97,22 @@ class ActionWriter {
     out_.line({curve(l.curve), l.scale, 0, l.centre.x, l.centre.y, l.centre.z, cid});
   }
 
+  void generalized(const BodyLoad& l) {
+    const auto* set = set_of(model_.node_sets, flagged(l.nodes));
+    if (!set) return;
+    static constexpr std::string_view types[] = {"CENT", "CORI", "ROTA"};
+    const Vector none{0, 0, 0}, &d = l.direction;
+    const Vector straight = l.rotation ? none : d, turning = l.rotation ? d : none;
+    out_.keyword("LOAD_BODY_GENERALIZED_SET_NODE");
+    out_.line({set->id, 0, curve(l.curve), 0, l.centre.x, l.centre.y, l.centre.z});
+    out_.line({straight.x, straight.y, straight.z, turning.x, turning.y, turning.z, 0,
+               types[static_cast<int>(l.angular)]});
+  }
+
   /// The part set whose nodes the body loads are limited to.
   void body_parts() {
     for (const BodyLoad& l : model_.body_loads) {
-      if (l.nodes.empty()) continue;
+      if (l.nodes.empty() || l.generalized) continue;
       for (const auto& set : model_.part_sets) {
         std::vector<bool> flags(l.nodes.size(), false);
         for (const auto* groups : {&model_.mesh.solids, &model_.mesh.shells, &model_.mesh.beams})

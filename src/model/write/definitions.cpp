@@ -27,11 +27,13 @@ void write_spacetime(const SpacetimeControl& c, const Model& model, DeckText& ou
 void write_control(const Model& model, DeckText& out) {
   const Control& c = model.control;
   out.keyword("CONTROL_TERMINATION");
-  out.line({c.end.time, c.end.cycles, c.end.step_fraction, c.end.energy_change, c.end.mass_change});
+  out.line({c.end.time, c.end.cycles, c.end.step_fraction, c.end.energy_change, c.end.mass_change,
+            c.end.no_solution_check ? 1 : 0});
   out.keyword("CONTROL_TIMESTEP");
   out.line({c.step.first, c.step.safety, 0, 0.0, c.step.mass_scaling, curve_id(model, c.step.limit_curve),
             c.step.erode ? 1 : 0, c.step.mass_scaling_first_only ? 1 : 0});
-  if (c.step.mass_scaling_curve >= 0) out.line({"", curve_id(model, c.step.mass_scaling_curve)});
+  if (c.step.mass_scaling_curve >= 0 || c.step.mass_scaling_fraction > 0.0)
+    out.line({c.step.mass_scaling_fraction, curve_id(model, c.step.mass_scaling_curve)});
   out.keyword("CONTROL_BULK_VISCOSITY");
   out.line({c.viscosity.quadratic, c.viscosity.linear, c.viscosity.type});
   out.keyword("CONTROL_ENERGY");

@@ -18,6 +18,13 @@ const Set<Segment>* set_of(const std::vector<Set<Segment>>& sets, const std::vec
   return nullptr;
 }
 
+std::vector<Index> flagged(const std::vector<bool>& flags) {
+  std::vector<Index> positions;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    if (flags[i]) positions.push_back(static_cast<Index>(i));
+  return positions;
+}
+
 void name_node_lists(Model& model) {
   Id next = 1;
   for (const auto& set : model.node_sets) next = std::max(next, set.id + 1);
@@ -29,6 +36,8 @@ void name_node_lists(Model& model) {
       ensure(model.walls[i].nodes, "nodes of rigid wall " + std::to_string(i + 1));
   for (const RigidBody& body : model.rigid_bodies)
     if (body.parts.empty()) ensure(body.extra, "nodes of rigid body " + std::to_string(body.id));
+  for (const BodyLoad& load : model.body_loads)
+    if (load.generalized) ensure(flagged(load.nodes), "nodes of a body load");
   for (const FixedNodes& fixed : model.fixed)
     if ((fixed.id != 0 || !fixed.title.empty()) && fixed.nodes.size() != 1)
       ensure(fixed.nodes, "nodes of constraint " + std::to_string(fixed.id));

@@ -11,9 +11,12 @@ namespace cleave::model {
 const Set<Index>* set_of(const std::vector<Set<Index>>& sets, const std::vector<Index>& members);
 const Set<Segment>* set_of(const std::vector<Set<Segment>>& sets, const std::vector<Segment>& members);
 
+/// Positions of the flags that are set.
+std::vector<Index> flagged(const std::vector<bool>& flags);
+
 /// Gives a node set of its own to every list of nodes that a deck can name only by a set: nodes of rigid
-/// walls (unless all nodes) and constraints with a number. Part of building a model, so that writing adds
-/// nothing to it.
+/// walls (unless all nodes), of generalized body loads, and constraints with a number. Part of building a
+/// model, so that writing adds nothing to it.
 void name_node_lists(Model& model);
 
 /// 1, 2, 3 for the global axes, 0 for any other direction.

@@ -2,7 +2,9 @@
 ///
 /// Each node has a list of rows "velocity along d is c". They are made orthonormal one after the other
 /// (Gram-Schmidt), so any mixture of frames works; a row that depends on those before it has no say.
-/// Motions stand before fixed directions, later motions before earlier ones.
+/// Motions stand before fixed directions, later motions before earlier ones. A rotation about an axis has a
+/// row across the arm as it will be at the end of the step and, unless it may change its length, one along
+/// it, so that the node lies on its circle however long the step.
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +35,7 @@ struct Row {
   double birth = 0.0, death = model::forever;
   const PrescribedMotion* motion = nullptr;  ///< null: velocity zero
   std::size_t offset = 0;  ///< in memory: displacement at birth, for displacements born late
+  int turning = 0;         ///< of a rotation: 1 the direction across the turned arm, 2 the one along it
 
   bool active(double time) const { return time >= birth && time < death; }
 };
@@ -104,7 +107,8 @@ class HeldNodes final : public Constraint {
 
  private:
   static bool remembers(const Row& row) {
-    return row.motion && row.motion->kind == PrescribedMotion::Kind::displacement && row.birth > 0.0;
+    return row.motion && !row.motion->rotation && row.motion->kind == PrescribedMotion::Kind::displacement &&
+           row.birth > 0.0;
   }
 
   /// (node, row) in order of precedence for each node.
@@ -112,7 +116,14 @@ class HeldNodes final : public Constraint {
     std::vector<std::pair<Index, Row>> all;
     for (auto motion = model.motions.rbegin(); motion != model.motions.rend(); ++motion)
       for (const Index node : motion->nodes) {
-        Row row{motion->direction, motion->birth, motion->death, &*motion, 0};
+        Row row{motion->direction, motion->birth, motion->death, &*motion, 0, 0};
+        if (motion->rotation) {
+          row.turning = 1;
+          all.emplace_back(node, row);
+          row.turning = 2;
+          if (!motion->radial_free) all.emplace_back(node, row);
+          continue;
+        }
         all.emplace_back(node, row);
         if (motion->only_direction) continue;
         row.motion = nullptr;
@@ -127,8 +138,8 @@ class HeldNodes final : public Constraint {
         for (int i = 0; i < 3; ++i)
           if (fixed.directions >> i & 1u) {
             const Vector global{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
-            all.emplace_back(
-                node, Row{fixed.local ? fixed.frame.axis[i] : global, fixed.birth, fixed.death, nullptr, 0});
+            all.emplace_back(node, Row{fixed.local ? fixed.frame.axis[i] : global, fixed.birth, fixed.death,
+                                       nullptr, 0, 0});
           }
     return all;
   }
@@ -138,6 +149,8 @@ class HeldNodes final : public Constraint {
     for (std::size_t h = 0; h < nodes_.size(); ++h)
       for (std::size_t p = first_row_[h]; p < first_row_[h + 1]; ++p)
         for (std::size_t q = p + 1; q < first_row_[h + 1]; ++q) {
+          if (rows_[p].turning != 0 || rows_[q].turning != 0)
+            continue;  // directions of their own in each step
           if (!rows_[p].motion || rows_[p].birth >= rows_[q].death || rows_[q].birth >= rows_[p].death)
             continue;
           const double cosine = base::dot(rows_[p].direction, rows_[q].direction);
@@ -151,6 +164,53 @@ class HeldNodes final : public Constraint {
         }
   }
 
+  double displacement_along(const Moment& now, const Vector& direction, std::size_t at) const {
+    double displacement = 0.0;
+    for (int i = 0; i < 3; ++i)
+      displacement += (now.position[at + i] - model_.mesh.nodes.position[at + i]) * component(direction, i);
+    return displacement;
+  }
+
+  /// By how much a rotation turns in the step to come [radian].
+  double turn(const Moment& now, const PrescribedMotion& motion, const Vector& arm, std::size_t at) const {
+    const model::Curve& curve = model_.curves[static_cast<std::size_t>(motion.curve)];
+    const double since = now.time - std::max(motion.birth, 0.0), scale = motion.scale;
+    if (motion.kind == PrescribedMotion::Kind::displacement)
+      return scale * (curve.value(since + now.step) - curve.value(std::max(since, 0.0)));
+    if (motion.kind == PrescribedMotion::Kind::velocity)
+      return now.step * scale * load_value(curve, since + 0.5 * now.step, now.step);
+    // The last step was the chord of an arc: its angle gives the speed of rotation half a step ago.
+    const double square = base::dot(arm, arm);
+    const Vector v{now.velocity[at], now.velocity[at + 1], now.velocity[at + 2]};
+    double speed = square > 0.0 ? base::dot(motion.direction, base::cross(arm, v)) / square : 0.0;
+    if (now.step_before > 0.0 && square > 0.0) {
+      const Vector past = arm - now.step_before * v;
+      speed = std::atan2(base::dot(motion.direction, base::cross(past, arm)), base::dot(past, arm)) /
+              now.step_before;
+    }
+    return now.step * (speed + now.interval() * scale * load_value(curve, since, now.step));
+  }
+
+  /// Row of a rotation in the step to come: its direction, and the velocity along it that takes the node
+  /// there.
+  double turned(const Moment& now, const Row& row, Index node, Vector& direction) const {
+    const PrescribedMotion& motion = *row.motion;
+    const std::size_t at = 3 * static_cast<std::size_t>(node);
+    const Vector from = Vector{now.position[at], now.position[at + 1], now.position[at + 2]} - motion.centre;
+    const Vector arm = from - base::dot(from, motion.direction) * motion.direction;
+    const double length = std::sqrt(base::dot(arm, arm));
+    if (length == 0.0) {  // on the axis: it stays there
+      const auto [first, second] = across(motion.direction);
+      direction = row.turning == 1 ? first : second;
+      return 0.0;
+    }
+    const double angle = turn(now, motion, arm, at);
+    const Vector side = base::cross(motion.direction, arm);
+    const Vector to = std::cos(angle) * arm + std::sin(angle) * side;
+    direction = (1.0 / length) * (row.turning == 1 ? base::cross(motion.direction, to) : to);
+    return base::dot(to - arm, direction) / now.step;
+  }
+
   /// Velocity that a row wants along its direction over the step to come [length/time].
   double wanted(const Moment& now, const Row& row, Index node, std::span<double> memory) const {
     if (!row.motion) return 0.0;
@@ -160,15 +220,18 @@ class HeldNodes final : public Constraint {
     const std::size_t at = 3 * static_cast<std::size_t>(node);
     if (motion.kind == PrescribedMotion::Kind::velocity)
       return motion.scale * load_value(curve, now.time - start + 0.5 * now.step, now.step);
+    if (motion.kind == PrescribedMotion::Kind::velocity_by_displacement) {
+      // At the displacement that the velocity found here leads to in half a step: second order.
+      const double here = displacement_along(now, row.direction, at);
+      const double half = 0.5 * now.step * motion.scale * curve.value(here);
+      return motion.scale * curve.value(here + half);
+    }
     if (motion.kind == PrescribedMotion::Kind::acceleration) {
       const double* v = &now.velocity[at];
       const double along = v[0] * row.direction.x + v[1] * row.direction.y + v[2] * row.direction.z;
       return along + now.interval() * motion.scale * load_value(curve, now.time - start, now.step);
     }
-    double displacement = 0.0;
-    for (int i = 0; i < 3; ++i)
-      displacement +=
-          (now.position[at + i] - model_.mesh.nodes.position[at + i]) * component(row.direction, i);
+    const double displacement = displacement_along(now, row.direction, at);
     double target = motion.scale * curve.value(now.time + now.step - start);
     if (remembers(row)) {
       double& offset = memory[row.offset];
@@ -195,9 +258,11 @@ class HeldNodes final : public Constraint {
     for (std::size_t r = first_row_[h]; r < first_row_[h + 1] && count < 3; ++r) {
       if (!rows_[r].active(middle)) continue;
       Vector d = rows_[r].direction;
-      double rest = wanted(now, rows_[r], node, memory);
+      double rest =
+          rows_[r].turning != 0 ? turned(now, rows_[r], node, d) : wanted(now, rows_[r], node, memory);
+      const Vector own = d;
       for (int k = 0; k < count; ++k) {
-        const double share = base::dot(rows_[r].direction, axis[k]);
+        const double share = base::dot(own, axis[k]);
         d = d - share * axis[k];
         rest -= share * value[k];
       }

@@ -1,5 +1,6 @@
 /// *LOAD_BODY: the base accelerates along an axis and the body feels the opposite; or the base turns about
-/// an axis, and the body feels the centrifugal acceleration w x (x x w), without the torsion of a changing w.
+/// an axis, and the body feels the centrifugal acceleration w x (x x w). *LOAD_BODY_GENERALIZED adds the
+/// Coriolis acceleration 2 v x w and the one of a changing speed of rotation, x x dw/dt.
 
 #include <numeric>
 
@@ -37,7 +38,8 @@ class BodyForce final : public Load {
     base::for_each_range(nodes_.size(), 2048, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const auto node = static_cast<std::size_t>(nodes_[k]);
-        const Vector f = now.mass[node] * acceleration(value, &now.position[3 * node]);
+        const Vector f = now.mass[node] * (load_.generalized ? generalized(value, now, 3 * node)
+                                                             : acceleration(value, &now.position[3 * node]));
         force[3 * node] += f.x;
         force[3 * node + 1] += f.y;
         force[3 * node + 2] += f.z;
@@ -50,6 +52,22 @@ class BodyForce final : public Load {
     if (!load_.rotation) return (-value) * load_.direction;
     const Vector arm = Vector{x[0], x[1], x[2]} - load_.centre;
     return (value * value) * (arm - base::dot(arm, load_.direction) * load_.direction);
+  }
+
+  /// The velocity at t_n is not known before the forces are: that of the half step before is carried on by
+  /// the acceleration of the last cycle, which is second order.
+  Vector generalized(double value, const Moment& now, std::size_t at) const {
+    const Vector rate = value * load_.direction;  // of the base
+    if (!load_.rotation) return -1.0 * rate;
+    if (load_.angular == BodyLoad::Angular::coriolis) {
+      const double since = 0.5 * now.step_before;
+      const double *v = &now.velocity[at], *a = &now.acceleration_before[at];
+      return -2.0 * base::cross(rate, {v[0] + since * a[0], v[1] + since * a[1], v[2] + since * a[2]});
+    }
+    const double* x = &now.position[at];
+    const Vector arm = Vector{x[0], x[1], x[2]} - load_.centre;
+    if (load_.angular == BodyLoad::Angular::euler) return -1.0 * base::cross(rate, arm);
+    return -1.0 * base::cross(rate, base::cross(rate, arm));
   }
 
   const model::Model& model_;

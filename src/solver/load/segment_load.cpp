@@ -12,11 +12,12 @@ using model::SegmentLoad;
 class FacePressure final : public Load {
  public:
   FacePressure(const model::Model& model, const SegmentLoad& load)
-      : model_(model), load_(load), vectors_(load.segments.size()) {}
+      : model_(model), load_(load), vectors_(load.segments.size()), quadratic_(load.quadratic.size()) {}
 
   std::vector<Index> nodes() const override {
     std::vector<Index> all;
     for (const model::Segment& face : load_.segments) all.insert(all.end(), face.node, face.node + 4);
+    for (const auto& face : load_.quadratic) all.insert(all.end(), face.begin(), face.end());
     return all;
   }
 
@@ -31,19 +32,27 @@ class FacePressure final : public Load {
     base::for_each_range(vectors_.size(), 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) vectors_[f] = face_vectors(load_.segments[f], now.position);
     });
+    base::for_each_range(quadratic_.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        quadratic_[f] = face_vectors(load_.quadratic[f], now.position);
+    });
+    const auto add = [&](Index node, const model::Vector& area) {
+      double* at = &force[3 * static_cast<std::size_t>(node)];
+      at[0] -= pressure * area.x;
+      at[1] -= pressure * area.y;
+      at[2] -= pressure * area.z;
+    };
     for (std::size_t f = 0; f < vectors_.size(); ++f)
-      for (std::size_t a = 0; a < 4; ++a) {
-        double* at = &force[3 * static_cast<std::size_t>(load_.segments[f].node[a])];
-        at[0] -= pressure * vectors_[f][a].x;
-        at[1] -= pressure * vectors_[f][a].y;
-        at[2] -= pressure * vectors_[f][a].z;
-      }
+      for (std::size_t a = 0; a < 4; ++a) add(load_.segments[f].node[a], vectors_[f][a]);
+    for (std::size_t f = 0; f < quadratic_.size(); ++f)
+      for (std::size_t a = 0; a < 6; ++a) add(load_.quadratic[f][a], quadratic_[f][a]);
   }
 
  private:
   const model::Model& model_;
   const SegmentLoad& load_;
-  std::vector<std::array<model::Vector, 4>> vectors_;  // [face], scratch
+  std::vector<std::array<model::Vector, 4>> vectors_;    // [face], scratch
+  std::vector<std::array<model::Vector, 6>> quadratic_;  // [face], scratch
 };
 
 }  // namespace

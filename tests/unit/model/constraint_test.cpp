@@ -78,11 +78,37 @@ TEST(Motion, WhatCannotBeDoneIsSaid) {
   const std::string curve = "*DEFINE_CURVE\n9\n0,0\n1,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n";
   const int line = after_cube + 5;
   EXPECT_TRUE(build_text(cube + curve + "1,5,2,9\n").says(Severity::error, line, "a rotation"));
-  EXPECT_TRUE(build_text(cube + curve + "1,1,4,9\n").says(Severity::error, line, "motion of kind 4"));
+  EXPECT_TRUE(build_text(cube + curve + "1,1,4,9\n").says(Severity::error, line, "VAD 4"));
+  EXPECT_TRUE(build_text(cube + curve + "1,1,5,9\n").says(Severity::error, line, "expected 0 to 4"));
+  EXPECT_TRUE(build_text(cube + curve + "1,12,2,9\n").says(Severity::error, line, "DOF 12"));
+  EXPECT_TRUE(build_text(cube + curve + "1,9,3,9\n0,0\n").says(Severity::error, line, "VAD 3"));
+  EXPECT_TRUE(build_text(cube + curve + "1,9,2,9\n0,0,77\n").says(Severity::error, line + 1, "a rigid body"));
   EXPECT_TRUE(build_text(cube + curve + "1,4,2,9\n").says(Severity::error, line, "vector 0"));
   EXPECT_TRUE(build_text(cube + curve + "1,1,2,8\n").says(Severity::error, line, "curve 8"));
   EXPECT_TRUE(build_text(cube + curve + "99,1,2,9\n").says(Severity::error, line, "node 99"));
   EXPECT_TRUE(build_text(cube + curve + "1,0,2,9\n").says(Severity::error, line, "found 0"));
+}
+
+TEST(Motion, RotationsHaveTheirAxisInThePlaneOfTheOffsets) {
+  const Built b = build_text(cube +
+                             "*DEFINE_CURVE\n9\n0,0\n2,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n"
+                             "1,9,2,9\n2,3\n2,9,2,9\n2,3\n3,-10,0,9\n2,3\n4,11,1,9\n2,3\n5,1,3,9\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  const auto& m = b.model.motions;
+  ASSERT_EQ(m.size(), 4u);
+  EXPECT_EQ(m[0].nodes.size(), 2u);
+  EXPECT_TRUE(m[0].rotation);
+  EXPECT_FALSE(m[0].radial_free);
+  EXPECT_EQ(m[0].direction.x, 1.0);
+  EXPECT_EQ(m[0].centre.y, 2.0);
+  EXPECT_EQ(m[0].centre.z, 3.0);
+  EXPECT_TRUE(m[1].radial_free);
+  EXPECT_EQ(m[1].centre.z, 2.0);
+  EXPECT_EQ(m[1].centre.x, 3.0);
+  EXPECT_EQ(m[2].kind, PrescribedMotion::Kind::acceleration);
+  EXPECT_EQ(m[2].centre.x, 2.0);
+  EXPECT_EQ(m[2].centre.y, 3.0);
+  EXPECT_EQ(m[3].kind, PrescribedMotion::Kind::velocity_by_displacement);
 }
 
 TEST(Constrained, PlanesHoldTheNodesThatLieOnThem) {

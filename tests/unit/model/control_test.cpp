@@ -53,8 +53,21 @@ TEST(Control, TerminationCriteria) {
   EXPECT_EQ(e.nodes[0].maximum, 2.0);
   EXPECT_EQ(e.nodes[0].minimum, -1e21);
   EXPECT_EQ(e.nodes[1].minimum, -1.0);
-  EXPECT_TRUE(build_text("*KEYWORD\n*CONTROL_TERMINATION\n2,0,0,0,0,1\n" + rest).failed());  // NOSOL
+  EXPECT_FALSE(e.no_solution_check);
+  EXPECT_TRUE(
+      build_text("*KEYWORD\n*CONTROL_TERMINATION\n2,0,0,0,0,1\n" + rest).model.control.end.no_solution_check);
   EXPECT_NE(build_text("*KEYWORD\n" + rest).text().find("no end time"), std::string::npos);
+}
+
+TEST(Control, MassScalingByAFractionOfTheFirstStep) {
+  const Built b = build_text(cube + "*CONTROL_TIMESTEP\n0,0.9\n0.8\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  EXPECT_EQ(b.model.control.step.mass_scaling_fraction, 0.8);
+  const Built both = build_text(cube + "*CONTROL_TIMESTEP\n0,0.9,0,0,-1e-7\n0.8\n");
+  EXPECT_EQ(both.model.control.step.mass_scaling_fraction, 0.0);
+  EXPECT_TRUE(both.says(Severity::warning, after_cube + 2, "not used with DT2MS"));
+  EXPECT_TRUE(build_text(cube + "*CONTROL_TIMESTEP\n0,0.9\n-1\n")
+                  .says(Severity::error, after_cube + 2, "0 or above"));
 }
 
 TEST(Control, EnergySwitchesAreOneAndTwo) {

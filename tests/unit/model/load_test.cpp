@@ -44,6 +44,29 @@ TEST(Load, PressureOnSegments) {
   EXPECT_EQ(l[2].segments[0].node[3], 6);
 }
 
+TEST(Load, PressureOnFacesWithMidNodes) {
+  const std::string tet =
+      "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n*SECTION_SOLID\n1,16\n*"
+      "PART\ntet\n1,1,1\n"
+      "*NODE\n1,0,0,0\n2,2,0,0\n3,0,2,0\n4,0,0,2\n5,1,0,0\n6,1,1,0\n7,0,1,0\n8,0,0,1\n9,1,0,1\n10,0,1,1\n"
+      "*ELEMENT_SOLID\n1,1\n1,2,3,4,5,6,7,8,9,10\n" +
+      curve + "*LOAD_SEGMENT\n";
+  // Edge by edge, with the edge from N3 to N4 = N3 blank or repeated; a face with corners alone beside it.
+  const Built b = build_text(tet + "9,1,0,1,2,4,4,5\n9,0,8\n9,1,0,1,3,2,2,7\n6,2,5\n9,1,0,2,3,4,4\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  ASSERT_EQ(b.model.segment_loads.size(), 1u);
+  const SegmentLoad& l = b.model.segment_loads[0];
+  ASSERT_EQ(l.quadratic.size(), 2u);
+  EXPECT_EQ(l.quadratic[0], (std::array<Index, 6>{0, 1, 3, 4, 8, 7}));
+  EXPECT_EQ(l.quadratic[1], (std::array<Index, 6>{0, 2, 1, 6, 5, 4}));
+  EXPECT_EQ(l.segments.size(), 1u);
+  EXPECT_TRUE(build_text(tet + "9,1,0,1,2,4,4,5\n9,0,10\n").text().find("amid the edges") !=
+              std::string::npos);
+  EXPECT_TRUE(build_text(tet + "9,1,0,1,2,4,3,5\n9,8,10\n").text().find("eight nodes") != std::string::npos);
+  const std::string mid = "*LOAD_SEGMENT\n9,1,0,5,6,7,7,1\n2,0,3\n";
+  EXPECT_TRUE(build_text(cube + curve + mid).says(Severity::error, after_cube + 5, "amid the edges"));
+}
+
 TEST(Load, BodyLoadsKeepTheSignOfTheDeck) {
   const Built b = build_text(cube + curve +
                              "*LOAD_BODY_Z\n9,9810\n*LOAD_BODY_RX\n9,3,0,1,2,3\n"
@@ -60,6 +83,42 @@ TEST(Load, BodyLoadsKeepTheSignOfTheDeck) {
   ASSERT_EQ(l[0].nodes.size(), 9u);
   EXPECT_TRUE(l[0].nodes[7]);
   EXPECT_FALSE(l[0].nodes[8]);
+}
+
+TEST(Load, GeneralizedBodyLoadsHaveNodesOfTheirOwn) {
+  const std::string sets = "*SET_NODE\n3\n1,8\n*SET_PART\n2\n1\n", range = "*LOAD_BODY_GENERALIZED\n";
+  const Built b = build_text(cube + curve + sets + range +
+                             "3,5,9,0,1,2,3\n0,0,9.81,0,0,0\n"
+                             "*LOAD_BODY_GENERALIZED_SET_NODE\n3,0,9\n1,2,3,4,5,6,0,CORI\n"
+                             "*LOAD_BODY_GENERALIZED_SET_PART\n2,0,9,0,1,0,0\n0,0,0,0,0,7,5,ROTA\n"
+                             "*DEFINE_COORDINATE_SYSTEM\n5,10,0,0,10,1,0\n9,0,0\n"  // x along y, y along -x
+                             "*LOAD_BODY_Z\n9,2\n*LOAD_BODY_PARTS\n2\n*NODE\n9,9,9,9\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  const auto& l = b.model.body_loads;
+  ASSERT_EQ(l.size(), 5u);
+  EXPECT_FALSE(l[0].rotation);
+  EXPECT_EQ(l[0].direction.z, 9.81);
+  EXPECT_EQ(l[0].nodes, (std::vector<bool>{0, 0, 1, 1, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(l[1].direction.y, 2.0);
+  EXPECT_EQ(l[1].nodes, (std::vector<bool>{1, 0, 0, 0, 0, 0, 0, 1, 0}));
+  EXPECT_TRUE(l[2].rotation);
+  EXPECT_EQ(l[2].angular, BodyLoad::Angular::coriolis);
+  EXPECT_EQ(l[2].direction.z, 6.0);
+  EXPECT_EQ(l[3].angular, BodyLoad::Angular::euler);
+  EXPECT_NEAR(l[3].centre.x, 10.0, 1e-14);
+  EXPECT_NEAR(l[3].centre.y, 1.0, 1e-14);
+  EXPECT_FALSE(l[3].nodes[8]);
+  EXPECT_FALSE(l[4].generalized);
+  EXPECT_EQ(l[4].nodes.size(), 9u);
+  const auto says = [&](const std::string& cards, int line, const std::string& words) {
+    return build_text(cube + curve + cards).says(Severity::error, after_cube + 4 + line, words);
+  };
+  EXPECT_TRUE(says(range + "5,3,9\n1\n", 1, "from N1 = 5 on"));
+  EXPECT_TRUE(says(range + "55,60,9\n1\n", 1, "no node has a number"));
+  EXPECT_TRUE(says(range + "1,8,7\n1\n", 1, "curve 7"));
+  EXPECT_TRUE(says(range + "1,8,9\n0,0,0,1,0,0,0,SPIN\n", 2, "CENT, CORI or ROTA"));
+  EXPECT_TRUE(build_text(cube + curve + range + "1,8,9\n0\n")
+                  .says(Severity::warning, after_cube + 6, "does nothing"));
 }
 
 TEST(Wall, TailAndHeadMakeTheNormal) {

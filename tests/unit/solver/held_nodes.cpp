@@ -150,5 +150,85 @@ TEST(HeldNodes, ReactionOfASpring) {
   EXPECT_NEAR(rig.state.energy.external, rig.state.energy.internal + rig.state.energy.kinetic, 1e-12);
 }
 
+// Rotation about an axis off the node: it lies on its circle to rounding, at the angle of the curve, whether
+// the curve is an angle, a speed of rotation or its rate; without the radial row the distance is free.
+TEST(HeldNodes, RotationKeepsToItsCircle) {
+  using Kind = model::PrescribedMotion::Kind;
+  const Vector centre{1, 0, 2};
+  for (const Kind kind : {Kind::displacement, Kind::velocity, Kind::acceleration}) {
+    Rig rig;
+    const double radius = 5.0, start = std::atan2(4.0, 3.0), end = 3.0;  // arm (z, x) = (3, 4), about y
+    const double rate = 0.7;                                             // angle 0.35 t^2
+    const Index a = rig.particle(2.0, {centre.x + 4, 7, centre.z + 3});
+    model::PrescribedMotion motion;
+    motion.nodes = {a};
+    motion.kind = kind;
+    motion.rotation = true;
+    motion.direction = {0, 1, 0};
+    motion.centre = centre;
+    std::vector<double> t, angle;
+    for (int k = 0; k <= 4000; ++k) {
+      t.push_back(0.001 * k);
+      angle.push_back(0.5 * rate * t.back() * t.back());
+    }
+    motion.curve = kind == Kind::displacement ? rig.curve(t, angle)
+                   : kind == Kind::velocity   ? rig.curve({0, 10}, {0, 10 * rate})
+                                              : rig.constant(rate);
+    rig.model.motions.push_back(motion);
+    rig.fixed_step(0.01);
+    rig.run(end, [&](const Frame& frame) {
+      const double z = frame.state.position[2] - centre.z, x = frame.state.position[0] - centre.x;
+      EXPECT_NEAR(std::hypot(z, x), radius, 1e-13);
+      const double now = frame.state.time, turned = start + 0.5 * rate * now * now;
+      EXPECT_NEAR(z, radius * std::cos(turned), 1e-11) << now;
+      EXPECT_NEAR(x, radius * std::sin(turned), 1e-11) << now;
+    });
+    EXPECT_EQ(rig.x(a, 1), 7.0);
+  }
+}
+
+TEST(HeldNodes, RotationMayLeaveTheRadiusFree) {
+  Rig rig;
+  const Index hub = rig.node(0, 0, 0), a = rig.node(1, 0, 0);
+  rig.springs({{{hub, a}, 100.0, 2.0}});
+  rig.fix({hub}, 7);
+  model::PrescribedMotion motion;
+  motion.nodes = {a};
+  motion.rotation = motion.radial_free = true;
+  motion.direction = {0, 0, 1};
+  motion.curve = rig.constant(3.0);
+  rig.model.motions.push_back(motion);
+  rig.velocity(a, {0, 3.0, 0});
+  rig.fixed_step(1e-3);
+  double most = 0.0;
+  rig.run(2.0, [&](const Frame& frame) {
+    const double *x = &frame.state.position[3], t = frame.state.time;
+    EXPECT_NEAR(std::remainder(std::atan2(x[1], x[0]) - 3.0 * t, 2 * M_PI), 0.0, 1e-12);
+    most = std::max(most, std::hypot(x[0], x[1]));
+  });
+  // m r'' = m w^2 r - k (r - 1): the mean is 1 / (1 - m w^2 / k), the swing as far beyond it. m = 1.
+  EXPECT_NEAR(most, 2.0 / (1.0 - 9.0 / 100.0) - 1.0, 1e-4);
+}
+
+// v = 2 (1 - u): the displacement tends to 1 as 1 - exp(-2 t), in second order.
+TEST(HeldNodes, VelocityOverDisplacement) {
+  double error[2];
+  for (const int level : {0, 1}) {
+    Rig rig;
+    const Index a = rig.particle(2.0, {5, 0, 0});
+    model::PrescribedMotion motion;
+    motion.nodes = {a};
+    motion.kind = model::PrescribedMotion::Kind::velocity_by_displacement;
+    motion.curve = rig.curve({0, 2}, {1, -1});
+    motion.scale = 2.0;
+    rig.model.motions.push_back(motion);
+    rig.fixed_step(level == 0 ? 0.02 : 0.01);
+    rig.run(1.0);
+    error[level] = std::abs(rig.x(a) - 5.0 - (1.0 - std::exp(-2.0 * rig.state.time)));
+  }
+  EXPECT_LT(error[1], 1e-4);
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.2);
+}
+
 }  // namespace
 }  // namespace cleave::solver::test

@@ -191,5 +191,121 @@ TEST(Loads, BodyForceOnSomeNodes) {
   EXPECT_DOUBLE_EQ(rig.x(b, 1), -1.5);
 }
 
+// A particle at rest, seen from a base that turns faster and faster, w = w0 + g t: it runs around backwards
+// by the angle that the base has turned. Centrifugal, Coriolis and Euler accelerations are all needed, in
+// second order.
+TEST(Loads, RotatingBaseIsOnlyAPointOfView) {
+  using Angular = model::BodyLoad::Angular;
+  double error[2];
+  for (const int level : {0, 1}) {
+    Rig rig;
+    const double first = 0.5, growth = 0.3;
+    const Index a = rig.particle(2.0, {3, 1, 0.25}, {0, -2.0 * first, 0}),
+                other = rig.particle(1.0, {9, 9, 9});
+    const Index rate = rig.constant(growth),
+                speed = rig.curve({0, 10}, {2 * first, 2 * (first + 10 * growth)});
+    for (const Angular angular : {Angular::centrifugal, Angular::coriolis, Angular::euler}) {
+      model::BodyLoad load;
+      load.generalized = load.rotation = true;
+      load.angular = angular;
+      load.direction = {0, 0, angular == Angular::euler ? 1.0 : 0.5};  // factors that are not 1
+      load.centre = {1, 1, 0};
+      load.curve = angular == Angular::euler ? rate : speed;
+      load.nodes = {true, false};
+      rig.model.body_loads.push_back(load);
+    }
+    rig.fixed_step(level == 0 ? 0.01 : 0.005);
+    rig.run(4.0);
+    const double t = rig.state.time, turned = first * t + 0.5 * growth * t * t;
+    error[level] = std::hypot(rig.x(a, 0) - 1 - 2 * std::cos(turned), rig.x(a, 1) - 1 + 2 * std::sin(turned));
+    EXPECT_EQ(rig.x(a, 2), 0.25);
+    EXPECT_EQ(rig.x(other, 0), 9.0);
+  }
+  EXPECT_LT(error[1], 1e-3);
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.1);
+}
+
+// The Coriolis acceleration alone bends the path to a circle of radius v / 2 w, without work.
+TEST(Loads, CoriolisBendsAPathToACircle) {
+  Rig rig;
+  const double w = 2.0, v = 3.0;
+  const Index a = rig.particle(1.0, {0, 0, 0}, {v, 0, 0});
+  model::BodyLoad load;
+  load.generalized = load.rotation = true;
+  load.angular = model::BodyLoad::Angular::coriolis;
+  load.direction = {0, 0, w};
+  load.curve = rig.constant(1.0);
+  rig.model.body_loads.push_back(load);
+  rig.fixed_step(1e-3);
+  const double radius = v / (2 * w);
+  rig.run(10.0, [&](const Frame& frame) {
+    EXPECT_NEAR(std::hypot(frame.state.position[0], frame.state.position[1] + radius), radius, 1e-4 * radius);
+  });
+  EXPECT_NEAR(std::hypot(rig.v(a, 0), rig.v(a, 1)), v, 1e-5 * v);
+  EXPECT_NEAR(rig.state.energy.external, 0.0, 1e-4);
+}
+
+// Pressure on all six-node faces of a ten-node tetrahedron with curved edges: no net force, no moment, and
+// the virtual work of a uniform growth is the growth of its volume. A flat face loads its mid nodes alone.
+TEST(Loads, PressureOnCurvedFacesWithMidNodes) {
+  const std::vector<Vector> x = {{0, 0, 0},       {2, 0, 0},        {0, 2, 0},      {0, 0, 2},
+                                 {1, -0.2, 0.1},  {1.1, 1.2, -0.3}, {0.1, 1, 0.05}, {-0.1, 0, 1},
+                                 {1.2, 0.1, 1.1}, {0, 1.1, 0.9}};
+  std::vector<double> position;
+  for (const Vector& p : x) position.insert(position.end(), {p.x, p.y, p.z});
+  // Corners counter-clockwise from outside, mid nodes amid 12 23 31 14 24 34 of the element.
+  const std::array<Index, 6> faces[] = {
+      {0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {1, 2, 3, 5, 9, 8}, {0, 3, 2, 7, 9, 6}};
+  std::vector<Vector> force(10, {0, 0, 0});
+  for (const auto& face : faces) {
+    const auto part = face_vectors(face, position);
+    for (std::size_t a = 0; a < 6; ++a)
+      force[static_cast<std::size_t>(face[a])] = force[static_cast<std::size_t>(face[a])] + part[a];
+  }
+  Vector sum{0, 0, 0}, moment{0, 0, 0};
+  double growth = 0.0;
+  for (std::size_t a = 0; a < 10; ++a) {
+    sum = sum + force[a];
+    moment = moment + base::cross(x[a], force[a]);
+    growth += base::dot(x[a], force[a]);
+  }
+  for (const Vector& v : {sum, moment}) EXPECT_NEAR(std::hypot(std::hypot(v.x, v.y), v.z), 0.0, 1e-14);
+
+  // Volume of the element itself by Gauss quadrature of its Jacobian (a cubic, so four points in each
+  // direction of the collapsed cube are exact).
+  constexpr double at[4] = {0.06943184420297371, 0.33000947820757187, 0.6699905217924281, 0.9305681557970263};
+  constexpr double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                0.17392742256872693};
+  double volume = 0.0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      for (int k = 0; k < 4; ++k) {
+        const double r = at[i], s = at[j] * (1 - r), t = at[k] * (1 - r - s);
+        const double l[4] = {1 - r - s - t, r, s, t};
+        constexpr int edge[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+        Vector column[3];
+        for (int c = 0; c < 3; ++c) {
+          column[c] = (4 * l[c + 1] - 1) * x[static_cast<std::size_t>(c + 1)] - (4 * l[0] - 1) * x[0];
+          for (std::size_t e = 0; e < 6; ++e) {
+            const int p = edge[e][0], q = edge[e][1];
+            const double dp = p == 0       ? -1.0
+                              : p == c + 1 ? 1.0
+                                           : 0.0,
+                         dq = q == 0       ? -1.0
+                              : q == c + 1 ? 1.0
+                                           : 0.0;
+            column[c] = column[c] + (4 * (dp * l[q] + l[p] * dq)) * x[4 + e];
+          }
+        }
+        volume += weight[i] * weight[j] * weight[k] * (1 - r) * (1 - r - s) *
+                  base::dot(column[0], base::cross(column[1], column[2]));
+      }
+  EXPECT_NEAR(growth, 3.0 * volume, 1e-13);
+
+  const std::vector<double> flat = {0, 0, 0, 2, 0, 0, 0, 2, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const auto part = face_vectors(std::array<Index, 6>{0, 1, 2, 3, 4, 5}, flat);
+  for (std::size_t a = 0; a < 6; ++a) EXPECT_NEAR(part[a].z, a < 3 ? 0.0 : 2.0 / 3.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace cleave::solver::test

@@ -39,6 +39,16 @@ TEST(MassScaling, NegativeLiftsSmallElementsOnly) {
   EXPECT_DOUBLE_EQ(rig.state.mass[2], 0.5);
 }
 
+// A fraction of the first step means the same as DT2MS = -that: the smallest element alone has a step of
+// 0.25.
+TEST(MassScaling, FractionOfTheFirstStep) {
+  Pair rig;
+  rig.model.control.step.safety = 0.9;
+  rig.model.control.step.mass_scaling_fraction = 2.0;
+  rig.run(3.0, [&](const Frame& frame) { EXPECT_DOUBLE_EQ(frame.state.next_step, 0.45); });
+  EXPECT_DOUBLE_EQ(rig.state.added_mass, 0.75);
+}
+
 TEST(MassScaling, PositiveMakesAllElementsEqual) {
   Pair rig;
   rig.model.control.step.mass_scaling = 0.5;

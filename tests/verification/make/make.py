@@ -9,11 +9,12 @@ import homogeneous
 import spacetime
 import statics
 import taylor
+import walls
 import waves
 
 HERE = Path(__file__).resolve().parent.parent
-CASES = {**homogeneous.CASES, **waves.CASES, **bodies.CASES, **statics.CASES, **taylor.CASES, **spacetime.CASES,
-         **spacetime.EXAMPLES}
+CASES = {**homogeneous.CASES, **waves.CASES, **bodies.CASES, **statics.CASES, **taylor.CASES, **walls.CASES,
+         **spacetime.CASES, **spacetime.EXAMPLES}
 
 
 if __name__ == "__main__":
