@@ -54,6 +54,12 @@ CHANGES = {
     "tube_inflation": [("B", "*MAT_MOONEY-RIVLIN_RUBBER", 0, 4, 1.2)],
     "tumbling": [("damping of 1e-9 added", "*DAMPING_GLOBAL\n         0      1e-9"),
                  ("TSSFAC",) + SAFETY + (1.2,)],
+    "wall_friction_two_ways": [(f"{name}", "*RIGIDWALL_PLANAR_ORTHO", 2, column, 1.2)
+                               for name, column in (("DFRICA", 2), ("DFRICB", 3))],
+    "wall_hollow": [("RADCYL", "*RIGIDWALL_GEOMETRIC_CYLINDER_INTERIOR", 2, 0, 1.2),
+                    ("RADSPH", "*RIGIDWALL_GEOMETRIC_SPHERE_INTERIOR", 2, 0, 1.2)],
+    "wall_moving_flat": [E_OF(1.2), ("BIRTH", "*RIGIDWALL_GEOMETRIC_FLAT_DISPLAY_MOTION_ID", 1, 3, 1.2)],
+    **{f"wall_rebound_{name}": [E_OF(1.2)] for name in ("cylinder", "flat", "prism", "sphere")},
     "wave_exact": [("TSSFAC",) + SAFETY + (0.8,)],
     **{f"taylor_{name}": [YIELD + (1.2,), SPEED + (1.2,)] for name in (
         "6061_169", "6061_262", "6061_306", "6061_373", "6061_478", "nodal_pressure", "one_point", "selective")},

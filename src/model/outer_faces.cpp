@@ -14,7 +14,48 @@ struct Face {
   std::size_t order;
 };
 
+/// Those of the faces that stand alone, in their order.
+std::vector<Segment> alone(std::vector<Face> faces) {
+  std::sort(faces.begin(), faces.end(),
+            [](const Face& a, const Face& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
+  std::vector<Face> outer;
+  for (std::size_t i = 0; i < faces.size();) {
+    std::size_t j = i + 1;
+    while (j < faces.size() && faces[j].key == faces[i].key) ++j;
+    if (j == i + 1) outer.push_back(faces[i]);
+    i = j;
+  }
+  std::sort(outer.begin(), outer.end(), [](const Face& a, const Face& b) { return a.order < b.order; });
+  std::vector<Segment> segments;
+  segments.reserve(outer.size());
+  for (const Face& face : outer) segments.push_back(face.segment);
+  return segments;
+}
+
+/// Edges of shells, ends of bars.
+std::vector<Segment> outline(const std::vector<Elements>& groups, std::span<const Index> parts) {
+  std::vector<Face> sides;
+  for (const Elements& group : groups) {
+    const std::size_t n = static_cast<std::size_t>(nodes_of(group.shape));
+    for (std::size_t e = 0; e < group.count(); ++e) {
+      if (!parts.empty() && std::find(parts.begin(), parts.end(), group.part[e]) == parts.end()) continue;
+      for (std::size_t a = 0; a < n; ++a) {
+        const Index from = group.node[e * n + a], to = n == 2 ? from : group.node[e * n + (a + 1) % n];
+        sides.push_back({.key = {-1, -1, std::min(from, to), std::max(from, to)},
+                         .segment = {{from, to, to, to}},
+                         .order = sides.size()});
+      }
+    }
+  }
+  return alone(std::move(sides));
+}
+
 }  // namespace
+
+std::vector<Segment> boundary_segments(const Mesh& mesh, std::span<const Index> parts) {
+  if (!mesh.solids.empty()) return outer_faces(mesh, parts);
+  return outline(mesh.shells.empty() ? mesh.beams : mesh.shells, parts);
+}
 
 std::vector<Segment> outer_faces(const Mesh& mesh, std::span<const Index> parts) {
   std::vector<Face> faces;
@@ -40,20 +81,7 @@ std::vector<Segment> outer_faces(const Mesh& mesh, std::span<const Index> parts)
       }
     }
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& a, const Face& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
-  std::vector<Face> outer;
-  for (std::size_t i = 0; i < faces.size();) {
-    std::size_t j = i + 1;
-    while (j < faces.size() && faces[j].key == faces[i].key) ++j;
-    if (j == i + 1) outer.push_back(faces[i]);
-    i = j;
-  }
-  std::sort(outer.begin(), outer.end(), [](const Face& a, const Face& b) { return a.order < b.order; });
-  std::vector<Segment> segments;
-  segments.reserve(outer.size());
-  for (const Face& face : outer) segments.push_back(face.segment);
-  return segments;
+  return alone(std::move(faces));
 }
 
 }  // namespace cleave::model

@@ -12,4 +12,9 @@ namespace cleave::model {
 /// is outer.
 std::vector<Segment> outer_faces(const Mesh& mesh, std::span<const Index> parts);
 
+/// What bounds the bodies of a mesh, whatever their dimension: outer faces of solids; where there are none,
+/// outer edges of shells, which lie in a plane (the body on the left from the first node to the second, which
+/// is repeated), or ends of bars (one node four times).
+std::vector<Segment> boundary_segments(const Mesh& mesh, std::span<const Index> parts);
+
 }  // namespace cleave::model

@@ -197,14 +197,14 @@ std::vector<Segment> select_segments(Draft& draft, const Entry& entry) {
   for (const Row& row : rows_of(entry)) {
     std::vector<Segment> change;
     if (row.word == "ALL") {
-      change = outer_faces(draft.model.mesh, {});
+      change = boundary_segments(draft.model.mesh, {});
     } else if (row.word == "PART") {
       if (const auto parts = parts_of(draft, entry, row); !parts.empty())
-        change = outer_faces(draft.model.mesh, parts);
+        change = boundary_segments(draft.model.mesh, parts);
     } else if (row.word == "BOX") {
       for (const auto& [written, field] : row.arguments)
         if (const Box* box = box_of(draft, entry, written, field))
-          for (const Segment& s : outer_faces(draft.model.mesh, {}))
+          for (const Segment& s : boundary_segments(draft.model.mesh, {}))
             if (std::all_of(s.node, s.node + 4, [&](Index i) { return box->contains(draft.position(i)); }))
               change.push_back(s);
     } else if (row.word == "SEG" && row.arguments.size() >= 3) {

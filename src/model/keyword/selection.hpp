@@ -8,7 +8,7 @@ namespace cleave::model {
 /// ALL, NODE, PART, PART_SET?, BOX, SET_...; a leading D takes away again. Rows act in reading order.
 std::vector<Index> select_nodes(Draft& draft, const Entry& entry);
 std::vector<Id> select_solids(Draft& draft, const Entry& entry);
-/// ALL, BOX, PART (outer faces), SEG, SET; with D to take away.
+/// ALL, BOX, PART (outer faces; in the plane outer edges, of bars ends), SEG; with D to take away.
 std::vector<Segment> select_segments(Draft& draft, const Entry& entry);
 
 /// Rows of *SET_SEGMENT: triangles have N4 = N3 or blank.

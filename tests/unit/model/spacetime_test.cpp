@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "model/elasticity.hpp"
 #include "round_trip.hpp"
 
@@ -47,6 +49,26 @@ TEST(SpacetimeDeck, ShellsOfBothShapes) {
   EXPECT_TRUE(plate_with("1,1,1,2,3,4\n", "1,1,1,2,3,4,5\n").says(Severity::error, 19, "has mid nodes"));
   EXPECT_TRUE(
       plate_with("1,1,1,2,3,4\n", "1,3,1,2,3,4\n").says(Severity::error, 19, "part 3 is not defined"));
+}
+
+TEST(SpacetimeDeck, SegmentsOfAPlaneAreItsOuterEdges) {
+  // The plate is a square 1 2 3 4 with a triangle 2 5 3 beside it; 2 3 is shared.
+  const std::string whole = "*SET_SEGMENT_GENERAL\n1\nALL\n*SET_SEGMENT_GENERAL\n2\nPART,1\nDSEG,1,2,2,2\n";
+  const Built b =
+      build_text(plate + whole + "*DEFINE_BOX\n4,-9,0.001,-9,9,-9,9\n*SET_SEGMENT_GENERAL\n3\nBOX,4\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  const auto edges = [&](std::size_t set) {
+    std::vector<std::pair<Index, Index>> all;
+    for (const Segment& s : b.model.segment_sets.at(set).members) {
+      EXPECT_EQ(s.node[1], s.node[2]);
+      all.emplace_back(s.node[0], s.node[1]);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  EXPECT_EQ(edges(0), (std::vector<std::pair<Index, Index>>{{0, 1}, {1, 4}, {2, 3}, {3, 0}, {4, 2}}));
+  EXPECT_EQ(edges(1), (std::vector<std::pair<Index, Index>>{{1, 4}, {2, 3}, {3, 0}, {4, 2}}));
+  EXPECT_EQ(edges(2), (std::vector<std::pair<Index, Index>>{{2, 3}}));
 }
 
 TEST(SpacetimeDeck, OrdinaryShellsAreRefusedAsAWhole) {
