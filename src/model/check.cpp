@@ -143,6 +143,22 @@ void check_nodes(const Model& model, const deck::Deck& deck, deck::Diagnostics& 
                         std::to_string(alone.size()) + " nodes belong to no element: " + list(alone));
 }
 
+void check_body_loads(const Model& model, deck::Diagnostics& diagnostics) {
+  if (model.rigid_bodies.empty()) return;
+  const auto body = body_of_nodes(model.rigid_bodies, model.mesh.nodes.count());
+  for (const BodyLoad& load : model.body_loads) {
+    if (!load.rotation || load.angular == BodyLoad::Angular::centrifugal) continue;
+    for (std::size_t a = 0; a < load.nodes.size(); ++a) {
+      if (!load.nodes[a] || body[a] < 0) continue;
+      diagnostics.error(load.place, "LOAD_BODY_GENERALIZED", "ANGTYP",
+                        "Coriolis and rotational accelerations are not computed for rigid bodies, and node " +
+                            std::to_string(model.mesh.nodes.id[a]) + " belongs to one",
+                        "leave their nodes out; CENT, the centrifugal one, is computed");
+      break;
+    }
+  }
+}
+
 void check_curves(const Model& model, deck::Diagnostics& diagnostics) {
   std::set<Index> used;
   for (const auto& m : model.motions)
@@ -198,6 +214,7 @@ void check(const Model& model, const deck::Deck& deck, deck::Diagnostics& diagno
   check_elements(model, deck, diagnostics);
   check_thin_elements(model, deck, diagnostics);
   check_nodes(model, deck, diagnostics);
+  check_body_loads(model, diagnostics);
   check_curves(model, diagnostics);
   check_materials(model, diagnostics);
 }

@@ -247,7 +247,8 @@ class RigidBodies final : public Constraint {
       }
       // Centrifugal: w^2 (1 - d d) x, and its moment about the centre w^2 (J d) x d.
       const Vector d = load->direction, arm = fixed.whole.centre + body.displacement - load->centre;
-      sum.force = sum.force + (mass * size * size) * (arm - dot(arm, d) * d);
+      const double square = load->generalized ? dot(d, d) : 1.0;
+      sum.force = sum.force + (mass * size * size) * (square * arm - dot(arm, d) * d);
       sum.moment = sum.moment + (size * size) * cross(Inertia(fixed, body.rotation).times(d), d);
     }
     for (const model::RigidLoad& load : model_.rigid_loads) {
