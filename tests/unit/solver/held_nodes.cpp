@@ -207,7 +207,7 @@ TEST(HeldNodes, RotationMayLeaveTheRadiusFree) {
     most = std::max(most, std::hypot(x[0], x[1]));
   });
   // m r'' = m w^2 r - k (r - 1): the mean is 1 / (1 - m w^2 / k), the swing as far beyond it. m = 1.
-  EXPECT_NEAR(most, 2.0 / (1.0 - 9.0 / 100.0) - 1.0, 1e-4);
+  EXPECT_NEAR(most, 2.0 / (1.0 - 9.0 / 100.0) - 1.0, 5e-4);  // first order in the step
 }
 
 // v = 2 (1 - u): the displacement tends to 1 as 1 - exp(-2 t), in second order.

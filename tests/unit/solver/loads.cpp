@@ -139,7 +139,7 @@ TEST(Loads, ParallelogramSharesToTheBit) {
   const double w = std::exp(0.123), d = std::sqrt(0.7), h = 1.0 / 3.0;
   for (const auto& x : {Vector{0, 0, h}, Vector{w, 0, h}, Vector{w, d, h}, Vector{0, d, h}})
     rig.node(x.x, x.y, x.z);
-  const auto vectors = face_vectors({{0, 1, 2, 3}}, rig.model.mesh.nodes.position);
+  const auto vectors = face_vectors(model::Segment{{0, 1, 2, 3}}, rig.model.mesh.nodes.position);
   for (const Vector& v : vectors) {
     EXPECT_EQ(v.x, 0.0);
     EXPECT_EQ(v.y, 0.0);
