@@ -72,7 +72,7 @@ class Statuses(Case):
         text = bar((1, 1, 9), end=1e-6)
         at = text.index("*CONTROL_TERMINATION\n") + len("*CONTROL_TERMINATION\n")
         end = text.index("\n", at)
-        deck = self.write("nosol.k", text[:end].ljust(at + 10) + " " * 39 + "1" + text[end:])
+        deck = self.write("nosol.k", text[:end].ljust(at + 10) + " " * 49 + "1" + text[end:])
         out, _ = self.cleave("run", deck)
         for word in ("jacobian", "time step", "9 elements", "NOSOL = 1: nothing was computed"):
             self.assertIn(word, out)
