@@ -130,6 +130,7 @@ Measured run(const Slab<D>& slab, SpaceChoice space, int n) {
     for (int k = 0; k < D; ++k) lean += std::fabs(patch.top[k] - patch.foot[k]);
     std::vector<Solution<D>> solution(patch.elements.size());
     const PatchStatus status = solver->solve(patch, older, solution);
+    if (status != PatchStatus::solved) return {.kind = Verdict::fail, .what = "a patch was not solved"};
     Verify check;
     solver->verify(patch, older, solution, check);
     const SimplexRule& rule = simplex_rule(D + 1, field_degree(space) + 2);
@@ -165,7 +166,7 @@ Measured run(const Slab<D>& slab, SpaceChoice space, int n) {
     gained += check.front_energy, worked += check.boundary_work, dissipated += check.dissipation;
     size += std::fabs(check.front_energy);
     for (const double d : check.element_dissipation) least = std::min(least, d);
-    return Verdict{status == PatchStatus::solved ? Verdict::accept : Verdict::fail};
+    return Verdict{};
   };
   base::set_thread_count(2);
   const FrontStatus status = Scheduler<D>(pitcher, {.verify = true}).advance(front, slab.end, solve);
