@@ -25,6 +25,7 @@ E_OF = lambda factor: ("E", "*MAT_ELASTIC", 0, YOUNG, factor)
 LOAD_CURVE = lambda factor: ("load", "*LOAD_SEGMENT_SET", 0, 2, factor)
 YIELD = ("SIGY", "*MAT_PLASTIC_KINEMATIC", 0, 4)
 SPEED = ("speed", "*INITIAL_VELOCITY", 1, 2)
+RIGID = ("RO", "*MAT_RIGID", 0, DENSITY)
 CHANGES = {
     "bar_rebound": [E_OF(1.2)],
     "bending_beam_nodal_pressure": [E_OF(0.8)],
@@ -37,6 +38,18 @@ CHANGES = {
                                             "hex_selective", "tet", "tet_nodal_pressure", "tet_quadratic", "wedge")},
     "plastic_wave": [("ETAN", "*MAT_PLASTIC_KINEMATIC", 0, 5, 1.2), YIELD + (1.2,)],
     "pressure_bath": [LOAD_CURVE(1.2), ("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],
+    "box_drop": [("damping of 20 added", "*DAMPING_GLOBAL\n         0      20.0")],
+    "rigid_ball": [RIGID + (1.2,)],
+    "rigid_bar_impact": [YIELD + (1.2,)],
+    "rigid_driven": [("angle", "*BOUNDARY_PRESCRIBED_MOTION_RIGID", 0, 4, 1.2)],
+    "rigid_hits_bar": [E_OF(1.2), RIGID + (1.2,)],
+    "rigid_merged": [RIGID + (1.2,)],
+    "rigid_nodes_in_bar": [E_OF(1.2)],
+    "rigid_pushed": [RIGID + (1.2,), ("force", "*LOAD_RIGID_BODY", 0, 3, 1.2)],
+    "rigid_rolling": [("FS and FD", "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", 1, 0, 1.2),
+                      ("inertia", "*PART_INERTIA", 3, 3, 1.2)],
+    "rigid_top": [("spin", "*INITIAL_VELOCITY_RIGID_BODY", 0, 6, 1.2)],
+    "rigid_tumbling": [("damping of 1e-9 added", "*DAMPING_GLOBAL\n         0      1e-9")],
     "simple_shear": [("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],
     "spacetime_bar_8": [E_OF(1.2) + ("spacetime_bar_32",)],
     "spacetime_block": [E_OF(1.2)],
@@ -103,7 +116,8 @@ def broken(program, deck, change):
         where.write_text(text)
         words += f" in {change[5]}" if len(change) > 5 else ""
         first = Path(folder) / deck.name  # one variation is enough
-        first.write_text(re.sub(r"(?m)^\$@ vary.*\n", "", first.read_text()))
+        text = re.sub(r"(?m)^\$@ vary.*\n", "", first.read_text())
+        first.write_text(re.sub(r"(?m)^\.\./", f"{deck.parent.parent}/", text))  # files it includes
         done = subprocess.run([sys.executable, "-c", f"import sys; sys.path.insert(0, {str(ROOT / 'tests')!r}); "
                                "import run_decks; run_decks.LIMIT_S = 400; sys.exit(run_decks.main(sys.argv[1:]))",
                                program, first], capture_output=True, text=True)

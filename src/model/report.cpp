@@ -67,10 +67,14 @@ void add(const Model& model, const Elements& group, ModelReport& r) {
     const Part& of = model.parts[group.part[e]];
     PartReport& part = r.parts[group.part[e]];
     const bool spacetime = spacetime_dimension(of.section) != 0;
-    const double v = volume(group.shape, corner) * (spacetime ? spacetime_thickness(of.section) : 1.0);
+    const bool shell = !spacetime && (group.shape == Shape::tri3 || group.shape == Shape::quad4);
+    const double area_or_volume = volume(group.shape, corner);
+    const double v = area_or_volume * (spacetime ? spacetime_thickness(of.section)
+                                       : shell   ? of.section.number("T1", 0.0)
+                                                 : 1.0);
     ++part.elements;
     part.volume += v;
-    part.mass += v * of.density;
+    part.mass += v * of.density + (shell ? area_or_volume * of.section.number("MAREA", 0.0) : 0.0);
     const double jacobian = solid ? jacobian_ratio(group.shape, corner) : 1.0,
                  aspect = aspect_ratio(group.shape, corner);
     if (part.worst_jacobian_element == 0 || jacobian < part.worst_jacobian)
@@ -80,7 +84,7 @@ void add(const Model& model, const Elements& group, ModelReport& r) {
     const double height = spacetime ? least_height(group.shape, corner) : 0.0;
     if (spacetime && (part.least_height_element == 0 || height < part.least_height))
       part.least_height = height, part.least_height_element = group.id[e];
-    if (part.sound_speed > 0.0 && v > 0.0) {
+    if (part.sound_speed > 0.0 && v > 0.0 && !of.rigid && !shell) {
       const double step = (spacetime ? height : shortest_edge(group.shape, corner)) / part.sound_speed;
       if (r.least_time_step_element == 0 || step < r.least_time_step)
         r.least_time_step = step, r.least_time_step_element = group.id[e];
@@ -126,6 +130,9 @@ ModelReport report(const Model& model) {
 
   for (const auto* groups : {&model.mesh.solids, &model.mesh.shells, &model.mesh.beams})
     for (const Elements& group : *groups) add(model, group, r);
+
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (model.parts[i].inertia) r.parts[i].mass = model.parts[i].inertia->mass;
 
   std::set<std::string> units;
   for (const PartReport& part : r.parts) {

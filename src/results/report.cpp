@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* history_names[] = {"glstat", "matsum", "nodout", "crack", "elout", "rwforc", "spcforc"};
+constexpr const char* history_names[] = {"glstat", "matsum", "nodout", "crack",
+                                         "elout",  "rwforc", "rbdout", "spcforc"};
 constexpr const char* picture_names[] = {"initial", "picture"};
 
 /// `<` occurs in JSON only inside strings, where the escape means the same and cannot end a script element.

@@ -97,6 +97,18 @@ void append_face(Surface& surface, std::span<const SolidCells> cells, const Cand
   }
 }
 
+/// Shells are all surface.
+void append_shells(Surface& surface, const SolidCells& block, std::uint32_t number) {
+  if (block.shape != Shape::tri3 && block.shape != Shape::quad4) return;
+  const auto per = static_cast<std::size_t>(model::nodes_of(block.shape));
+  for (std::size_t e = 0; per * e < block.node.size(); ++e) {
+    if (!is_alive(block, e)) continue;
+    const Index* node = &block.node[per * e];
+    append(surface, {{}, number, static_cast<std::uint32_t>(e), 0},
+           {node[0], node[1], node[2], node[per - 1]}, per == 4 ? 0b1111 : 0b111);
+  }
+}
+
 }  // namespace
 
 Surface outer_faces(std::span<const SolidCells> cells, std::size_t node_count) {
@@ -134,6 +146,7 @@ Surface outer_faces(std::span<const SolidCells> cells, std::size_t node_count) {
 
   Surface surface;
   for (const Candidate& face : outer) append_face(surface, cells, face);
+  for (std::uint32_t b = 0; b < cells.size(); ++b) append_shells(surface, cells[b], b);
   return surface;
 }
 

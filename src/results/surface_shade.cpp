@@ -56,6 +56,7 @@ struct Corners {
 void orient_outwards(Surface& surface, std::span<const SolidCells> cells, std::span<const double> position) {
   for (std::size_t f = 0; f < surface.count(); ++f) {
     const SolidCells& block = cells[surface.block[f]];
+    if (block.shape == model::Shape::tri3 || block.shape == model::Shape::quad4) continue;  // no inside
     const int size = model::nodes_of(block.shape);
     Vector centre{}, middle{};
     for (int a = 0; a < size; ++a) {

@@ -348,13 +348,13 @@ def rigid_ball():
 @case
 def rigid_rolling():
     """A cylinder comes down sliding on a plate of rigid shells that is held, and begins to roll."""
-    end, v, g, mu, radius = 0.5, 3.0, 10.0, 0.3, 0.1
+    end, v, g, mu, radius = 0.45, 3.0, 10.0, 0.3, 0.1
     mass = 12.0
     deck = start("rigid_rolling", "A sliding cylinder begins to roll", "rigid cylinder: from sliding to rolling",
                  "closed form: v = 2/3 V whatever the friction, after V / (3 mu g) = 0.333 s; rolls without loss then", end,
                  files=("GLSTAT", "MATSUM", "RBDOUT", "RCFORC", "SLEOUT"))
     mesh = Bodies()
-    around, long = 120, 0.2
+    around, long = 240, 0.2
     ids = {}
     for i in range(around):
         for j in (0, 1):
@@ -376,21 +376,23 @@ def rigid_rolling():
     for i in range(20):
         for j in range(2):
             plate.append([corner[i, j], corner[i + 1, j], corner[i + 1, j + 1], corner[i, j + 1]])
-    deck.says("expect", "x_velocity body=1  2.0  rel=0.01 (order: the facets of the cylinder)")
-    deck.says("expect", f"y_spin body=1  {2.0 / radius:.6g}  rel=0.01 (order)")
-    deck.says("expect", f"x_velocity body=1 time=0.2  {v - mu * g * 0.2:.6g}  rel=0.01 (order)")
-    deck.says("expect", f"friction_energy id=1 file=sleout  {0.5 * mass * v * v / 3:.6g}  rel=0.02 (order: a third of the energy)")
-    deck.says("expect", "energy_ratio range  0.0  abs=0.01 (order)")
-    rigid(deck, 1, 1000.0, 1.0e8, 0.0)
+    deck.says("expect", "x_velocity body=1  2.0  rel=0.002 (order: the facets of the cylinder)")
+    deck.says("expect", f"y_spin body=1  {2.0 / radius:.6g}  rel=0.002 (order)")
+    deck.says("expect", f"x_velocity body=1 time=0.2  {v - mu * g * 0.2:.6g}  rel=0.005 (order: it bounces a little)")
+    deck.says("expect", f"friction_energy id=1 file=sleout  {0.5 * mass * v * v / 3:.6g}  rel=0.002 (order: a third of the energy)")
+    deck.says("expect", "energy_ratio range  0.0  abs=1e-4 (order)")
+    deck.says("vary", "threads=1,2,3 restart=no,2000")
+    # The density sets the step alone: mass and inertia are stated.
+    rigid(deck, 1, 1.0e5, 1.0e8, 0.0)
     deck.card("PART_INERTIA", "cylinder", [1, 1, 1], [0.0, 0.05 + long / 2, radius, mass],
               [mass * (radius ** 2 / 4 + long ** 2 / 12), 0.0, 0.0, mass * radius ** 2 / 2, 0.0,
                mass * (radius ** 2 / 4 + long ** 2 / 12)], [v, 0.0, 0.0, 0.0, 0.0, 0.0])
-    rigid(deck, 2, 1000.0, 1.0e8, 0.0, hold=(1, 7, 7), section=False)
+    rigid(deck, 2, 1.0e5, 1.0e8, 0.0, hold=(1, 7, 7), section=False)
     deck.card("SECTION_SHELL", [2, 2], [0.001])
     deck.part(2, 2, 2)
     deck.curve(1, [(0.0, 1.0), (100.0, 1.0)])
     deck.card("LOAD_BODY_Z", [1, g])
-    contact(deck, "AUTOMATIC_SURFACE_TO_SURFACE", 0, friction=mu, damping=20.0, scale=20.0)
+    contact(deck, "AUTOMATIC_SURFACE_TO_SURFACE", 2, friction=mu)
     deck.mesh(mesh)
     deck.lines.append("*ELEMENT_SHELL")
     for e, nodes in enumerate(plate):
