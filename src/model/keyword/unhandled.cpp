@@ -36,7 +36,8 @@ constexpr Rule rules[] = {
     // Settings and definitions that act only through keywords refused on their own.
     {"CONTROL_SHELL", Policy::output_only, elsewhere},
     {"CONTROL_CHECK_SHELL", Policy::output_only, elsewhere},
-    {"CONTROL_RIGID", Policy::output_only, elsewhere},
+    {"CONTROL_RIGID", Policy::output_only,
+     "joints and modes of rigid bodies are not computed; other bodies need none of it"},
     {"CONTROL_SPH", Policy::output_only, elsewhere},
     {"CONTROL_EFG", Policy::output_only, elsewhere},
     {"DEFINE_BOX_ADAPTIVE", Policy::output_only, elsewhere},

@@ -15,14 +15,16 @@ void rotation_vector(const double (&q)[4], double (&out)[3]) {
   for (int k = 0; k < 3; ++k) out[k] = sine > 0.0 ? angle * q[k + 1] / sine : 0.0;
 }
 
-/// Columns of the matrix of a unit quaternion are the body's axes; m[row][column].
-void matrix(const double (&q)[4], double (&m)[3][3]) {
+/// The body's own axes now, as columns; m[row][column]. Those of the deck, or the global ones at the start.
+void matrix(const double (&q)[4], const model::RigidBody& body, double (&m)[3][3]) {
   const double w = q[0], x = q[1], y = q[2], z = q[3];
-  const double all[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                            {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-                            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m[i][j] = all[i][j];
+  const double turn[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                             {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+                             {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+  for (int j = 0; j < 3; ++j) {
+    const model::Vector& a = body.axes.axis[j];
+    for (int i = 0; i < 3; ++i) m[i][j] = turn[i][0] * a.x + turn[i][1] * a.y + turn[i][2] * a.z;
+  }
 }
 
 class Rbdout final : public History {
@@ -47,7 +49,7 @@ class Rbdout final : public History {
       const solver::BodyMotion& body = now.frame().bodies[b];
       double rotation[3], axes[3][3];
       rotation_vector(body.quaternion, rotation);
-      matrix(body.quaternion, axes);
+      matrix(body.quaternion, model_.rigid_bodies[b], axes);
       std::vector<double> values;
       const auto add = [&](const double(&v)[3]) { values.insert(values.end(), v, v + 3); };
       add(body.position);
