@@ -76,6 +76,7 @@ struct SpacetimeControl {
   int threads = 0;             ///< 0: as the command line says
   bool verify = false;         ///< hold every patch to its identities
   int subdivision = 0;         ///< of cells in field files; 0: by degree
+  bool repeat = false;         ///< regular meshes: equal tents, whose patches share what geometry decides
   deck::Place place;           ///< of the card; not compared
 };
 

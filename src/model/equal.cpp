@@ -224,7 +224,7 @@ bool same(const SpacetimeControl& a, const SpacetimeControl& b) {
   return a.space == b.space && a.degree == b.degree && a.chi == b.chi && a.progress == b.progress &&
          a.eps == b.eps && a.height_factor == b.height_factor && a.height_cap == b.height_cap &&
          a.smoothing == b.smoothing && a.threads == b.threads && a.verify == b.verify &&
-         a.subdivision == b.subdivision;
+         a.subdivision == b.subdivision && a.repeat == b.repeat;
 }
 bool same(const BulkViscosity& a, const BulkViscosity& b) {
   return a.quadratic == b.quadratic && a.linear == b.linear && a.type == b.type;

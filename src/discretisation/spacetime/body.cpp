@@ -18,6 +18,7 @@ PitchOptions pitch_options(const model::SpacetimeControl& control) {
   options.height_factor = control.height_factor;
   if (control.height_cap > 0.0) options.height_cap = control.height_cap;
   options.smoothing = control.smoothing;
+  options.repeat = control.repeat;
   return options;
 }
 

@@ -65,6 +65,9 @@ void take_control(Draft& draft, const Entry& entry) {
   int verify = 0;
   count("VERIFY", 1, verify);
   control.verify = verify == 1;
+  int repeat = 0;
+  count("REPEAT", 1, repeat);
+  control.repeat = repeat == 1;
 }
 
 /// Corners of a polyline (in the plane) or of a plane convex polygon (in space).

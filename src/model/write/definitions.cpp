@@ -21,7 +21,7 @@ void write_spacetime(const SpacetimeControl& c, const Model& model, DeckText& ou
   const int progress = c.progress == Progress::triangle ? 1 : c.progress == Progress::subsimplex ? 2 : 3;
   out.keyword("CONTROL_SPACETIME");
   out.line({space, c.degree, c.chi, progress, c.eps, c.height_factor, c.height_cap, c.smoothing});
-  out.line({c.threads, c.verify ? 1 : 0, c.subdivision});
+  out.line({c.threads, c.verify ? 1 : 0, c.subdivision, c.repeat ? 1 : 0});
 }
 
 void write_control(const Model& model, DeckText& out) {
