@@ -33,7 +33,8 @@ struct Surface {
 /// sorting by the smallest node, O(n log n) at worst, linear in practice.
 /// @param node_count  nodes of the model; every node index is below it
 /// Elements may repeat nodes (pyramids, wedges written as hexahedra): faces that collapse are left out.
-/// Shells show themselves, once. Neighbours that do not share all corners of a face (four nodes against three) both show theirs.
+/// Shells show themselves, once. Neighbours that do not share all corners of a face (four nodes against
+/// three) both show theirs.
 Surface outer_faces(std::span<const SolidCells> cells, std::size_t node_count);
 
 /// Turns faces whose normal points into their element, so that inverted numbering does no harm to shading.

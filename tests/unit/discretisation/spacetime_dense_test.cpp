@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "discretisation/spacetime/dense.hpp"
 #include "discretisation/spacetime/basis.hpp"
+#include "discretisation/spacetime/dense.hpp"
 #include "discretisation/spacetime/space.hpp"
 
 namespace cleave::discretisation::spacetime::test {
