@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "results/contact_pressure.hpp"
 #include "results/vtu_arrays.hpp"
 
 namespace cleave::results {
@@ -98,13 +97,17 @@ class Grid {
     nodal(xml, arrays, "displacement", [&](std::size_t i) { return position[i] - reference[i]; });
     nodal(xml, arrays, "velocity", [this](std::size_t i) { return frame_.velocity[i]; });
     nodal(xml, arrays, "acceleration", [this](std::size_t i) { return frame_.acceleration[i]; });
-    if (!frame_.contact_force.empty()) {
+    if (frame_.contact) {
       nodal(xml, arrays, "contact_force", [this](std::size_t i) { return frame_.contact_force[i]; });
-      const auto pressure = std::make_shared<std::vector<double>>(contact_pressure(frame_));
-      arrays.add(xml, real_type(), "contact_pressure", 1, real_bytes() * points_.size(),
-                 [this, pressure](WholeFile& file) {
-                   for (const std::size_t a : points_) real(file, (*pressure)[a]);
-                 });
+      const auto contact = std::make_shared<solver::ContactFields>(frame_.contact->contact_fields());
+      const auto scalar = [&](const char* name, std::vector<double> solver::ContactFields::*field) {
+        arrays.add(xml, real_type(), name, 1, real_bytes() * points_.size(),
+                   [this, contact, field](WholeFile& file) {
+                     for (const std::size_t a : points_) real(file, ((*contact).*field)[a]);
+                   });
+      };
+      scalar("contact_pressure", &solver::ContactFields::pressure);
+      scalar("contact_gap", &solver::ContactFields::gap);
     }
     xml += "</PointData>\n<Points>\n";
     nodal(xml, arrays, "Points", [&](std::size_t i) { return position[i]; });

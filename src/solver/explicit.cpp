@@ -36,7 +36,7 @@ std::size_t remember(State& state, const std::string& name, const First& first) 
 constexpr double contact_growth =
     0.1;  // energy from a contact, of all that ever came in: it is wrong by then
 
-class Explicit final : public Solver {
+class Explicit final : public Solver, private ContactSource {
  public:
   Explicit(const discretisation::World& world, const Options& options, deck::Diagnostics& diagnostics)
       : world_(world),
@@ -327,7 +327,8 @@ class Explicit final : public Solver {
     if (state.cycle == 0) energy.initial = energy.total() - energy.external;
   }
 
-  Frame frame(const State& state) const {
+  Frame frame(const State& state) {
+    shown_ = &state;
     return {model_,
             world_,
             state,
@@ -343,7 +344,22 @@ class Explicit final : public Solver {
             {},
             interfaces_,
             contact_force_,
-            reactions_.bodies};
+            reactions_.bodies,
+            interactions_.empty() ? nullptr : this};
+  }
+
+  ContactFields contact_fields() const override {
+    constexpr double unknown = 1e300;
+    const State& state = *shown_;
+    ContactFields fields{std::vector<double>(world_.node_count(), 0.0),
+                         std::vector<double>(world_.node_count(), unknown)};
+    const Moment now{state.time, state.step, state.next_step, state.position, state.velocity, state.mass};
+    for (const auto& interaction : interactions_) interaction->add_fields(now, fields);
+    double widest = 0.0;
+    for (const double gap : fields.gap)
+      if (gap < unknown) widest = std::max(widest, gap);
+    for (double& gap : fields.gap) gap = std::min(gap, widest);
+    return fields;
   }
 
   std::span<double> acceleration(State& state) const { return state.memory[acceleration_].values; }
@@ -375,6 +391,7 @@ class Explicit final : public Solver {
   std::size_t acceleration_ = 0, numbers_ = 0;  // places in the state's memory
   std::vector<std::size_t> constraint_memory_, interaction_memory_, factor_memory_;
   double element_cycles_ = 0.0;
+  const State* shown_ = nullptr;  // of the last frame
   Stopwatch watch_;
 };
 

@@ -34,6 +34,8 @@ class Interaction {
   virtual discretisation::StepStatus accuse(const Moment& now, std::string what, std::string cause) const = 0;
   /// Adds the forces last added to those of each node [node][3] [force]; for output.
   virtual void add_nodal(std::span<double> force) const = 0;
+  /// Adds the pressure of its own forces at the nodes, and lowers the gaps to what it finds; for output.
+  virtual void add_fields(const Moment& now, ContactFields& fields) = 0;
   /// Sets to zero what add_nodal added to.
   virtual void clear_nodal(std::span<double> force) const = 0;
 };

@@ -120,6 +120,21 @@ struct InterfaceForce {
   double energy() const { return normal_energy + friction_energy + damping_energy; }
 };
 
+/// Contact at the nodes of its surfaces.
+struct ContactFields {
+  std::vector<double> pressure;  ///< [node] force along the area of the faces there now, per area; positive
+                                 ///< pushes into the body; 0 elsewhere [stress]
+  std::vector<double> gap;  ///< [node] way to the closest face that the node looks at, negative behind it;
+                            ///< at most the thickness of an element there; elsewhere the widest [length]
+};
+
+/// Works them out where they are asked for: few observers do, in few cycles.
+class ContactSource {
+ public:
+  virtual ~ContactSource() = default;
+  virtual ContactFields contact_fields() const = 0;  ///< at the time of the frame
+};
+
 /// Everything an observer may read after a step; valid only during the call.
 struct Frame {
   const model::Model& model;
@@ -139,6 +154,7 @@ struct Frame {
   std::span<const InterfaceForce> interfaces = {};  ///< one per Model::contacts
   std::span<const double> contact_force = {};       ///< [node][3] of all contacts; empty without any [force]
   std::span<const BodyMotion> bodies = {};          ///< one per Model::rigid_bodies
+  const ContactSource* contact = nullptr;           ///< null without contact
   std::span<const CrackOpening> cracks = {};        ///< the same nodes and sides in all frames of a run
   /// Brings what is wanted (bits of Wanted) up to t_n; empty: everything is there. Nothing of it moves in
   /// memory.

@@ -1,6 +1,5 @@
 /// ncforc: contact forces and pressures at nodes.
 
-#include "results/contact_pressure.hpp"
 #include "results/history.hpp"
 #include "results/text.hpp"
 
@@ -17,7 +16,8 @@ class Ncforc final : public History {
 
   /// Nodes without contact force are left out.
   void write(const Snapshot& now, std::string& ascii, Rows& rows) override {
-    const std::vector<double> pressure = contact_pressure(now.frame());
+    if (!now.frame().contact) return;
+    const std::vector<double> pressure = now.frame().contact->contact_fields().pressure;
     append_format(ascii, "\n\n forces (t=%13.5E) for nodes in contact\n\n", column(now.state().time));
     ascii += "  nodal group    force-x      force-y      force-z      pressure\n";
     for (std::size_t a = 0; a < pressure.size(); ++a) {

@@ -77,6 +77,15 @@ inline void add_touch(const Touch& touch, const Vector& f, std::span<double> for
   }
 }
 
+/// Adds the pressure of forces [node][3] on areas [node] to each node [stress].
+inline void add_pressure(std::span<const double> force, std::span<const Vector> area,
+                         std::span<double> pressure) {
+  for (std::size_t a = 0; a < area.size(); ++a) {
+    const double square = base::dot(area[a], area[a]);
+    if (square > 0.0) pressure[a] -= base::dot(area[a], vector_at(force, static_cast<Index>(a))) / square;
+  }
+}
+
 /// Sets the forces of the nodes of both sides to zero [node][3].
 inline void clear_touch(const Touch& touch, std::span<double> force) {
   for (const auto& nodes : {touch.a, touch.b})

@@ -114,6 +114,15 @@ class Candidates {
     for (std::size_t p = 0; p < count; ++p) out.insert(out.end(), found_[p].begin(), found_[p].end());
   }
 
+  /// Calls visit(thing, its faces ascending) for all listed things.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (std::size_t i = 0; i < who_.size(); ++i) {
+      const auto from = static_cast<std::size_t>(first_[i]), to = static_cast<std::size_t>(first_[i + 1]);
+      visit(who_[i], std::span<const std::int32_t>(list_).subspan(from, to - from));
+    }
+  }
+
  private:
   /// What one range of things lists.
   struct Part {

@@ -18,8 +18,8 @@ struct NodeSides {
 
 /// @param factor  SLSFAC [-]
 /// @param rule    PENOPT: 1 the softer side, 2 side B, 3 side A
-std::unique_ptr<Finder> make_node_finder(const NodeSides& sides, const model::Contact& contact, double factor,
-                                         int rule);
+std::unique_ptr<Gauge> make_node_finder(const NodeSides& sides, const model::Contact& contact, double factor,
+                                        int rule);
 /// Faces against faces; a and b may be one surface.
 std::unique_ptr<Finder> make_segment_finder(std::shared_ptr<Surface> a, std::shared_ptr<Surface> b,
                                             const model::Contact& contact, double factor, int rule);
@@ -31,19 +31,21 @@ std::unique_ptr<Interaction> make_tied_faces(const discretisation::World& world,
 /// Moves nodes that penetrate at the start out of the other side, and says which and how far.
 /// @param finders  of nodes against faces
 void move_out(model::Model& model, const model::Contact& contact,
-              const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics);
+              const std::vector<std::unique_ptr<Gauge>>& finders, deck::Diagnostics& diagnostics);
 
 /// Says which nodes penetrate at the start and how deep; refuses those more than an element below the
 /// surface.
 /// @param finders  of nodes against faces
 void report_initial(const model::Model& model, const model::Contact& contact,
-                    const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics);
+                    const std::vector<std::unique_ptr<Gauge>>& finders, deck::Diagnostics& diagnostics);
 
 /// What turns touches into forces and remembers them.
+/// @param gauges       nodes of both sides, for output
 /// @param force_scale  what a force of this contact may well be [force]
 /// @param stiffest     largest stiffness of its faces [force/length]
 std::unique_ptr<Interaction> make_interface(const model::Model& model, std::size_t number,
-                                            std::vector<std::unique_ptr<Finder>> finders, double force_scale,
+                                            std::vector<std::unique_ptr<Finder>> finders,
+                                            std::vector<std::unique_ptr<Gauge>> gauges, double force_scale,
                                             double stiffest);
 
 }  // namespace cleave::solver

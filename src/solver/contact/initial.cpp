@@ -172,7 +172,7 @@ bool only_lies_on(const Touch& touch) {
 }  // namespace
 
 void move_out(model::Model& model, const model::Contact& contact,
-              const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics) {
+              const std::vector<std::unique_ptr<Gauge>>& finders, deck::Diagnostics& diagnostics) {
   const Start start(model);
   Listed listed(contact);
   // One side after the other, so that what the first has cleared is not cleared twice.
@@ -194,7 +194,7 @@ void move_out(model::Model& model, const model::Contact& contact,
 }
 
 void report_initial(const model::Model& model, const model::Contact& contact,
-                    const std::vector<std::unique_ptr<Finder>>& finders, deck::Diagnostics& diagnostics) {
+                    const std::vector<std::unique_ptr<Gauge>>& finders, deck::Diagnostics& diagnostics) {
   const Start start(model);
   std::vector<Touch> touches;
   std::vector<Index> known;

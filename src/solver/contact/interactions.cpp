@@ -32,9 +32,9 @@ struct Sides {
   bool empty() const { return a->faces().empty() || b->faces().empty(); }
 
   /// Nodes of side A against faces of side B; with `both` also the other way round.
-  std::vector<std::unique_ptr<Finder>> by_nodes(bool both) const {
+  std::vector<std::unique_ptr<Gauge>> by_nodes(bool both) const {
     const model::ContactControl& control = model.control.contact;
-    std::vector<std::unique_ptr<Finder>> some;
+    std::vector<std::unique_ptr<Gauge>> some;
     some.push_back(
         make_node_finder({only, a, b, false, single()}, contact, control.stiffness, control.penalty));
     if (both && !single() && only.empty())
@@ -69,19 +69,21 @@ std::vector<std::unique_ptr<Interaction>> make_interactions(const discretisation
     }
     const Sides sides(world, contact, diagnostics);
     if (sides.empty()) continue;  // said already
-    report_initial(model, contact, sides.by_nodes(true), diagnostics);
+    auto gauges = sides.by_nodes(true);
+    report_initial(model, contact, gauges, diagnostics);
     std::vector<std::unique_ptr<Finder>> finders;
     if (contact.soft == 2)
       finders.push_back(make_segment_finder(sides.a, sides.b, contact, control.stiffness, control.penalty));
     else
-      finders = sides.by_nodes(contact.search == Search::two_way);
+      for (auto& finder : sides.by_nodes(contact.search == Search::two_way))
+        finders.push_back(std::move(finder));
     double scale = 0.0, stiffest = 0.0;
     for (const Surface* one : {sides.a.get(), sides.b.get()})
       for (const Face& face : one->faces()) {
         scale = std::max(scale, 1e-3 * face.stiffness * face.thickness);
         stiffest = std::max(stiffest, face.stiffness);
       }
-    list.push_back(make_interface(model, c, std::move(finders), scale, stiffest));
+    list.push_back(make_interface(model, c, std::move(finders), std::move(gauges), scale, stiffest));
   }
   return list;
 }

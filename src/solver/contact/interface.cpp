@@ -2,12 +2,12 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 
 #include "base/threads.hpp"
 #include "solver/contact/balanced.hpp"
 #include "solver/contact/finders.hpp"
 #include "solver/contact/offsets.hpp"
+#include "solver/contact/pair_text.hpp"
 #include "solver/ordered_sum.hpp"
 
 namespace cleave::solver {
@@ -34,11 +34,13 @@ struct Spent {
 class Interface final : public Interaction {
  public:
   Interface(const model::Model& model, const model::Contact& contact, std::size_t number,
-            std::vector<std::unique_ptr<Finder>> finders, double force_scale, double stiffest)
+            std::vector<std::unique_ptr<Finder>> finders, std::vector<std::unique_ptr<Gauge>> gauges,
+            double force_scale, double stiffest)
       : model_(model),
         contact_(contact),
         number_(number),
         finders_(std::move(finders)),
+        gauges_(std::move(gauges)),
         force_scale_(force_scale),
         rate_scale_(stiffest > 0.0 ? 0x1p36 / stiffest : 1.0) {}
 
@@ -161,6 +163,16 @@ class Interface final : public Interaction {
   void add_nodal(std::span<double> force) const override {
     for (const Touch& touch : touches_)
       add_touch(touch, touch.pressure + touch.friction + touch.viscous, force);
+  }
+  void add_fields(const Moment& now, ContactFields& fields) override {
+    std::vector<double> force(fields.pressure.size() * 3, 0.0);
+    std::vector<Vector> area(fields.pressure.size(), Vector{0, 0, 0});
+    add_nodal(force);
+    for (const auto& gauge : gauges_) {
+      gauge->gaps(now, fields.gap);
+      gauge->add_areas(now, area);
+    }
+    add_pressure(force, area, fields.pressure);
   }
   void clear_nodal(std::span<double> force) const override {
     for (const Touch& touch : touches_) clear_touch(touch, force);
@@ -356,23 +368,16 @@ class Interface final : public Interaction {
     const Finder& finder = finder_of(i);
     const Face& face = finder.face(touch.face);
     const Face* of_a = finder.face_of_a(touch);
-    const auto part = [&](Index p) {
-      return "part " + std::to_string(model_.parts[static_cast<std::size_t>(p)].id);
-    };
-    std::string who = "node " + std::to_string(model_.mesh.nodes.id[static_cast<std::size_t>(touch.a[0])]);
-    if (touch.wa[0] != 1.0 && of_a) who = "a face of element " + std::to_string(of_a->element);
-    if (of_a) who += " of " + part(of_a->part);
-    const Vector x = vector_at(now.position, touch.a[0]);
-    char place[96];
-    std::snprintf(place, sizeof place, " at (%.6g, %.6g, %.6g)", x.x, x.y, x.z);
     return {false, face.part, face.element,
-            own_name() + ": " + who + place + " against " + part(face.part) + " " + what, std::move(cause)};
+            own_name() + ": " + pair_text(model_, touch, face, of_a, now.position) + " " + what,
+            std::move(cause)};
   }
 
   const model::Model& model_;
   const model::Contact& contact_;
   std::size_t number_;
   std::vector<std::unique_ptr<Finder>> finders_;
+  std::vector<std::unique_ptr<Gauge>> gauges_;
   double force_scale_;             // what a force of this contact may well be [force]
   double rate_scale_;              // integers per stiffness
   std::vector<Touch> touches_;     // of the last call
@@ -385,10 +390,11 @@ class Interface final : public Interaction {
 }  // namespace
 
 std::unique_ptr<Interaction> make_interface(const model::Model& model, std::size_t number,
-                                            std::vector<std::unique_ptr<Finder>> finders, double force_scale,
+                                            std::vector<std::unique_ptr<Finder>> finders,
+                                            std::vector<std::unique_ptr<Gauge>> gauges, double force_scale,
                                             double stiffest) {
-  return std::make_unique<Interface>(model, model.contacts[number], number, std::move(finders), force_scale,
-                                     stiffest);
+  return std::make_unique<Interface>(model, model.contacts[number], number, std::move(finders),
+                                     std::move(gauges), force_scale, stiffest);
 }
 
 }  // namespace cleave::solver

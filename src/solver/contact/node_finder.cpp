@@ -17,7 +17,7 @@ constexpr double facing = -0.2;      // cosine below which two normals look at e
 constexpr double reach_depth = 0.5;  // of the thickness behind a face: deeper is on the other side
 constexpr double keep_depth = 1.0;   // the same for a node that touched it in the step before
 
-class NodeFinder final : public Finder {
+class NodeFinder final : public Gauge {
  public:
   NodeFinder(const NodeSides& sides, const model::Contact& contact, double factor, int rule)
       : nodes_(sides.nodes),
@@ -54,7 +54,41 @@ class NodeFinder final : public Finder {
     });
   }
 
+  void gaps(const Moment& now, std::span<double> gap) override {
+    if (!near_.hold(now, *of_nodes_, *faces_)) sort(now);
+    for (const std::int32_t f : of_nodes_->active())
+      for (const Index node : face_of_nodes(f).node) {
+        double& least = gap[static_cast<std::size_t>(node)];
+        least = std::min(least, face_of_nodes(f).thickness);
+      }
+    near_.each([&](Index node, std::span<const std::int32_t> near) {
+      const Slave slave = slave_at(now, node);
+      Closest place{};
+      const std::int32_t f = closest(now, slave, near, place);
+      if (f < 0) return;
+      Touch touch;
+      std::copy(place.weight, place.weight + 4, touch.wb);
+      const double way =
+          penetrates(now, slave, f, place, touch)
+              ? -touch.depth
+              : norm(slave.at - place.point) - slave.offset - face(f).offset;
+      double& least = gap[static_cast<std::size_t>(node)];
+      least = std::min(least, way);
+    });
+  }
+  void add_areas(const Moment& now, std::span<Vector> area) const override {
+    for (const std::int32_t f : of_nodes_->active()) {
+      const Face& face = of_nodes_->faces()[static_cast<std::size_t>(f)];
+      const Vector share = (1.0 / face.corners()) * area_normal(face, now.position);
+      for (int k = 0; k < face.corners(); ++k) {
+        Vector& sum = area[static_cast<std::size_t>(face.node[static_cast<std::size_t>(k)])];
+        sum = sum + share;
+      }
+    }
+  }
+
  private:
+  const Face& face_of_nodes(std::int32_t f) const { return of_nodes_->faces()[static_cast<std::size_t>(f)]; }
   std::span<const Index> slaves() const { return nodes_.empty() ? of_nodes_->nodes() : nodes_; }
 
   /// Lists the faces each node may meet while the boxes hold.
@@ -101,9 +135,7 @@ class NodeFinder final : public Finder {
     return false;
   }
 
-  void look(const Moment& now, const Past& past, Index node, std::span<const std::int32_t> near,
-            std::vector<Touch>& out) const {
-    if (!(now.mass[static_cast<std::size_t>(node)] > 0.0)) return;
+  Slave slave_at(const Moment& now, Index node) const {
     Slave slave{node, vector_at(now.position, node), {}, 0, 1e300, 0.0};
     for (const std::int32_t f : of_nodes_->faces_at(slave.node)) {
       const Face& around = of_nodes_->faces()[static_cast<std::size_t>(f)];
@@ -111,9 +143,14 @@ class NodeFinder final : public Finder {
       slave.offset = std::max(slave.offset, around.offset);
       if (slave.normals < 16) slave.normal[slave.normals++] = unit(area_normal(around, now.position));
     }
+    return slave;
+  }
+
+  /// The closest of the faces that look at the node, with the place on it; -1 for none.
+  std::int32_t closest(const Moment& now, const Slave& slave, std::span<const std::int32_t> near,
+                       Closest& place) const {
     double least = 1e300;
     std::int32_t best = -1;
-    Closest place{};
     for (const std::int32_t f : near) {
       const Face& target = face(f);
       const Vector normal = unit(area_normal(target, now.position));
@@ -131,6 +168,15 @@ class NodeFinder final : public Finder {
       best = f;
       place = c;
     }
+    return best;
+  }
+
+  void look(const Moment& now, const Past& past, Index node, std::span<const std::int32_t> near,
+            std::vector<Touch>& out) const {
+    if (!(now.mass[static_cast<std::size_t>(node)] > 0.0)) return;
+    const Slave slave = slave_at(now, node);
+    Closest place{};
+    const std::int32_t best = closest(now, slave, near, place);
     if (best < 0) return;
     Touch touch;
     std::copy(place.weight, place.weight + 4, touch.wb);
@@ -267,8 +313,8 @@ class NodeFinder final : public Finder {
 
 }  // namespace
 
-std::unique_ptr<Finder> make_node_finder(const NodeSides& sides, const model::Contact& contact, double factor,
-                                         int rule) {
+std::unique_ptr<Gauge> make_node_finder(const NodeSides& sides, const model::Contact& contact, double factor,
+                                        int rule) {
   return std::make_unique<NodeFinder>(sides, contact, factor, rule);
 }
 

@@ -43,8 +43,14 @@ struct Spring {
 
 class TiedFaces final : public Interaction {
  public:
-  TiedFaces(const model::Contact& contact, std::size_t number, std::vector<Spring> springs, double stiffest)
-      : contact_(contact), number_(number), springs_(std::move(springs)), scale_(stiffest) {}
+  TiedFaces(const model::Contact& contact, std::size_t number, std::vector<Spring> springs, double stiffest,
+            Surface a, Surface b)
+      : contact_(contact),
+        number_(number),
+        springs_(std::move(springs)),
+        scale_(stiffest),
+        a_(std::move(a)),
+        b_(std::move(b)) {}
 
   std::size_t contact() const override { return number_; }
   std::string name() const override { return "tied " + std::to_string(number_); }
@@ -122,6 +128,19 @@ class TiedFaces final : public Interaction {
     for (const Spring& spring : springs_)
       if (active_) add_touch(spring.touch, spring.touch.pressure, force);
   }
+  /// Ties keep their distance: there is no gap to tell.
+  void add_fields(const Moment& now, ContactFields& fields) override {
+    std::vector<double> force(fields.pressure.size() * 3, 0.0);
+    std::vector<Vector> area(fields.pressure.size(), Vector{0, 0, 0});
+    add_nodal(force);
+    for (const Surface* surface : {&a_, &b_})
+      for (const Face& face : surface->faces())
+        for (int k = 0; k < face.corners(); ++k) {
+          Vector& sum = area[static_cast<std::size_t>(face.node[static_cast<std::size_t>(k)])];
+          sum = sum + (1.0 / face.corners()) * area_normal(face, now.position);
+        }
+    add_pressure(force, area, fields.pressure);
+  }
   void clear_nodal(std::span<double> force) const override {
     for (const Spring& spring : springs_) clear_touch(spring.touch, force);
   }
@@ -162,6 +181,7 @@ class TiedFaces final : public Interaction {
   std::size_t number_;
   std::vector<Spring> springs_;
   double scale_;
+  Surface a_, b_;
   mutable std::vector<double> sums_;  // [node] of stiffness; fixed
   bool active_ = false;
 };
@@ -172,8 +192,8 @@ std::unique_ptr<Interaction> make_tied_faces(const discretisation::World& world,
                                              deck::Diagnostics& diagnostics) {
   const model::Model& model = *world.model;
   const model::Contact& contact = model.contacts[number];
-  const Surface a(world, contact, contact.a, false, true, diagnostics);
-  const Surface b(world, contact, contact.b, false, true, diagnostics);
+  Surface a(world, contact, contact.a, false, true, diagnostics);
+  Surface b(world, contact, contact.b, false, true, diagnostics);
   const std::span<const double> position(model.mesh.nodes.position);
   const auto corners = [&](const Face& face, Vector x[4]) {
     for (std::size_t i = 0; i < 4; ++i) x[i] = vector_at(position, face.node[i]);
@@ -236,7 +256,7 @@ std::unique_ptr<Interaction> make_tied_faces(const discretisation::World& world,
     diagnostics.error(contact.place, contact.keyword, "SURFA",
                       "no face of tied contact " + std::to_string(contact.id) + " lies over a face of side B",
                       "the surfaces must be less than half an element apart and look at each other");
-  return std::make_unique<TiedFaces>(contact, number, std::move(springs), scale);
+  return std::make_unique<TiedFaces>(contact, number, std::move(springs), scale, std::move(a), std::move(b));
 }
 
 }  // namespace cleave::solver

@@ -80,4 +80,13 @@ class Finder {
   virtual const Face* face_of_a(const Touch& touch) const = 0;
 };
 
+/// A finder that also tells how far apart sides are.
+class Gauge : public Finder {
+ public:
+  /// Lowers the gap of each node that looks at a face near it [node] [length].
+  virtual void gaps(const Moment& now, std::span<double> gap) = 0;
+  /// Adds the area of the faces around the nodes it looks from [node] [length^2].
+  virtual void add_areas(const Moment& now, std::span<Vector> area) const = 0;
+};
+
 }  // namespace cleave::solver

@@ -259,6 +259,55 @@ TEST(Contact, NoNodeShoots) {
   }
 }
 
+// The gap between bodies that do not touch, and minus the depth where they do; pressure times area is the
+// force.
+TEST(Contact, GapAndPressure) {
+  struct Last final : Observer {
+    ContactFields fields;
+    std::vector<double> force;
+    InterfaceForce sum;
+    void begin(const Frame&) override {}
+    void after_step(const Frame&) override {}
+    void finish(const Frame& frame, Ending, const discretisation::StepStatus&) override {
+      fields = frame.contact->contact_fields();
+      force.assign(frame.contact_force.begin(), frame.contact_force.end());
+      sum = frame.interfaces[0];
+    }
+  };
+  for (const int soft : {0, 2}) {
+    const auto two = [&](double gap, double speed, int stop, Last& last) {
+      const DeckRun run(head(1.0) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
+                            cube(2, {1.0 + gap, 0, 0}, 0, 0, {-speed, 0, 0}, 0.0) +
+                            contact("AUTOMATIC_SURFACE_TO_SURFACE", soft),
+                        stop, &last);
+      ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+      double pressed = 0.0;
+      for (std::size_t a = 0; a < run.model.mesh.nodes.count(); ++a) {
+        const double x = run.model.mesh.nodes.position[3 * a];
+        const bool first = run.model.mesh.nodes.id[a] < 2000;
+        if (first ? x < 0.4 : x > 0.6 + gap) continue;
+        if (first) {
+          EXPECT_NEAR(std::max(last.fields.gap[a], 0.0), speed == 0.0 ? gap : 0.0, 1e-12);
+          EXPECT_EQ(last.fields.gap[a]<0.0, speed> 0.0);
+        }
+        const bool j = std::abs(std::abs(run.model.mesh.nodes.position[3 * a + 1]) - 0.5) < 1e-9;
+        const bool k = std::abs(std::abs(run.model.mesh.nodes.position[3 * a + 2]) - 0.5) < 1e-9;
+        // Corners of the cube also carry faces of two other sides, along which there is no force.
+        if (first && !j && !k) {
+          EXPECT_NEAR(last.fields.pressure[a], last.force[3 * a] / -(1.0 / 9.0),
+                      1e-6 + 0.02 * std::abs(last.fields.pressure[a]));
+          pressed += last.fields.pressure[a];
+        }
+      }
+      EXPECT_EQ(pressed > 0.0, speed > 0.0);
+    };
+    Last apart, pressed;
+    two(0.02, 0.0, 1, apart);
+    two(0.002, 0.2, 8, pressed);
+    EXPECT_GT(pressed.sum.touches, 0U);
+  }
+}
+
 TEST(Contact, BadInputIsNamed) {
   const std::string bodies =
       head(0.1) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) + cube(2, {1.1, 0, 0}, 0, 0, {0, 0, 0}, 0.0);
