@@ -50,6 +50,8 @@ struct Contact {
   double soft_scale = 0.1;   ///< SOFSCL
   double extension = 1.025;  ///< MAXPAR: how far a face reaches beyond its free edges
   int ignore = 0;            ///< IGNORE
+  double release = 0.0;  ///< PENMAX: depth beyond which a touch lets go; 0 none [length], or in thicknesses
+                         ///< of the solid behind the face where `automatic` [-]
 };
 
 /// *CONTROL_CONTACT.

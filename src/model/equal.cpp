@@ -179,7 +179,7 @@ bool same(const Contact& a, const Contact& b) {
          a.friction_decay == b.friction_decay && a.viscous_limit == b.viscous_limit &&
          a.damping == b.damping && a.birth == b.birth && a.death == b.death && a.scale_a == b.scale_a &&
          a.scale_b == b.scale_b && a.soft == b.soft && a.soft_scale == b.soft_scale &&
-         a.extension == b.extension && a.ignore == b.ignore;
+         a.extension == b.extension && a.ignore == b.ignore && a.release == b.release;
 }
 bool same(const ContactControl& a, const ContactControl& b) {
   return a.stiffness == b.stiffness && a.penalty == b.penalty && a.orient == b.orient &&

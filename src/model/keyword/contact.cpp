@@ -127,6 +127,10 @@ void take_method(Draft& draft, const Entry& entry, Contact& contact) {
       contact.soft = 0;
     }
   }
+  if (entry.has("PENMAX")) {
+    contact.release = contact.automatic ? entry.real("PENMAX", pure) : entry.real("PENMAX", a_length);
+    if (contact.release < 0.0) draft.error(entry, "PENMAX", "a depth of release cannot be negative");
+  }
   if (entry.has("IGNORE") && entry.given("IGNORE")) {
     const auto ignore = entry.integer("IGNORE");
     if (ignore < 0 || ignore > 2)
@@ -148,8 +152,9 @@ void take_contact(Draft& draft, const Entry& entry) {
   if (!contact.named) contact.id = static_cast<Id>(draft.model.contacts.size()) + 1;
   contact.tied = holds("_TIED_");
   contact.offset = contact.tied && name.ends_with("_OFFSET");
-  contact.eroding = holds("_ERODING_");
-  contact.automatic = holds("_AUTOMATIC_") || contact.eroding;
+  contact.automatic = holds("_AUTOMATIC_") || holds("_ERODING_");
+  // New faces are what this contact is for: they are left out only where the deck says so.
+  contact.eroding = holds("_ERODING_") && !(entry.given("EROSOP") && entry.integer("EROSOP") == 0);
   const bool single = holds("_SINGLE_SURFACE"), nodes = holds("NODES_TO_SURFACE");
   contact.search = single                                        ? Contact::Search::single
                    : nodes || holds("_ONE_WAY_") || contact.tied ? Contact::Search::one_way
@@ -209,11 +214,11 @@ void take_control(Draft& draft, const Entry& entry) {
 
 constexpr std::string_view fields =
     "CID HEADING SURFA SURFB SURFATYP SURFBTYP FS FD DC VC VDC BT DT SFSA SFSB FSF VSF SOFT SOFSCL MAXPAR "
-    "IGNORE";
+    "IGNORE PENMAX EROSOP";
 /// Print options, thickness of shells, and how often to sort: pairs are sorted anew whenever motion asks.
 constexpr std::string_view unused =
     "SAPR SBPR PENCHK SAST SBST SFSAT SFSBT SBOPT DEPTH BSORT FRCFRQ THKOPT SHLTHK SNLOG ISYM I2D3D IGAP "
-    "FLANGL EROSOP IADJ MPP_IGNORE BCKT LCBCKT NS2TRK INITITR PARMAX CHKSEGS GRPABLE DTPCHK Q2TRI SHLEDG "
+    "FLANGL IADJ MPP_IGNORE BCKT LCBCKT NS2TRK INITITR PARMAX CHKSEGS GRPABLE DTPCHK Q2TRI SHLEDG "
     "IGNROFF SHLOFF TIEDID SRNDE";
 constexpr std::string_view remark = "between surfaces of solids and rigid shells; see the page on contact";
 

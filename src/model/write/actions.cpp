@@ -177,10 +177,10 @@ class ActionWriter {
     out_.line({c.static_friction, c.dynamic_friction, c.friction_decay, c.viscous_limit, 100.0 * c.damping, 0,
                c.birth, c.death});
     out_.line({c.scale_a, c.scale_b, c.tie_distance > 0.0 ? -c.tie_distance : 0.0});
-    if (c.eroding) out_.line({0, 1, 1});
+    if (c.keyword.find("_ERODING_") != std::string::npos) out_.line({0, c.eroding ? 1 : 0, 1});
     if (c.tied) return;
     out_.line({c.soft, c.soft_scale, 0, c.extension});
-    out_.line({0.0});
+    out_.line({c.release});
     out_.line({0, c.ignore});
   }
 

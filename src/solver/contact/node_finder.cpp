@@ -181,6 +181,7 @@ class NodeFinder final : public Gauge {
     Touch touch;
     std::copy(place.weight, place.weight + 4, touch.wb);
     if (!penetrates(now, slave, best, place, touch)) return;
+    if (touch.depth > release_depth(contact_, face(best).thickness)) return;
 
     touch.key[0] = slave.node + (reverse_ ? static_cast<std::int64_t>(now.mass.size()) : 0);
     touch.key[1] = 0;

@@ -28,6 +28,7 @@ class SegmentFinder final : public Finder {
                 double factor, int rule)
       : a_(std::move(a)),
         b_(std::move(b)),
+        contact_(contact),
         single_(a_ == b_),
         factor_a_(stiffer * factor * contact.scale_a),
         factor_b_(stiffer * factor * (a_ == b_ ? contact.scale_a : contact.scale_b)),
@@ -130,6 +131,7 @@ class SegmentFinder final : public Finder {
     touch.depth = shared.volume / shared.deep_area;
     touch.area = shared.deep_area;
     const double thick = 0.5 * (one.thickness + other.thickness);
+    if (touch.depth > release_depth(contact_, thick)) return;
     // Behind the middle of a shell is its other side.
     const double reach = one.shell || other.shell ? one.offset + other.offset : reach_depth * thick;
     if (touch.depth > reach) {
@@ -149,6 +151,7 @@ class SegmentFinder final : public Finder {
   }
 
   std::shared_ptr<Surface> a_, b_;
+  const model::Contact& contact_;
   bool single_;
   double factor_a_, factor_b_;
   int rule_;

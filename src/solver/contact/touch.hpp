@@ -67,6 +67,12 @@ class Past {
   std::span<const Remembered> list_;
 };
 
+/// The depth beyond which a touch lets go (PENMAX) [length].
+inline double release_depth(const model::Contact& contact, double thickness) {
+  if (contact.release == 0.0) return 1e300;
+  return contact.release * (contact.automatic ? thickness : 1.0);
+}
+
 /// Finds the touches of one pair of sides.
 class Finder {
  public:

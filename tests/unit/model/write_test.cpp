@@ -69,5 +69,37 @@ TEST(Write, DifferencesAreNamed) {
   EXPECT_EQ(first_difference(a.model, b.model), "control.step");
 }
 
+// Every kind of contact, with every field that counts given a value of its own.
+TEST(Write, Contacts) {
+  const std::string two =
+      cube +
+      "*NODE\n11,0,0,1.1\n12,1,0,1.1\n13,1,1,1.1\n14,0,1,1.1\n15,0,0,2\n16,1,0,2\n17,1,1,2\n18,0,1,2\n"
+      "*ELEMENT_SOLID\n2,2,11,12,13,14,15,16,17,18\n*PART\nupper\n2,1,1\n"
+      "*SET_SEGMENT\n9\n5,6,7,8\n*SET_NODE_LIST\n5\n11,12,13,14\n*SET_PART_LIST\n3\n2\n"
+      "*CONTROL_CONTACT\n0.2,0,1,0,2,0,2\n\n\n1\n";
+  const std::string friction = "0.3,0.2,0.5,7,15,0,0.25,0.75\n";  // FS FD DC VC VDC PENCHK BT DT
+  const std::string rest = "1.5,0.5\n", a_to_c = "1,0.2,0,1.05\n0.6\n0,2\n";
+  for (const std::string kind : {"AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE",
+                                 "SURFACE_TO_SURFACE", "FORMING_ONE_WAY_SURFACE_TO_SURFACE"}) {
+    expect_round_trip(two + "*CONTACT_" + kind + "_ID\n12,upper on lower\n2,1,3,3\n" + friction + rest +
+                      a_to_c);
+    expect_round_trip(two + "*CONTACT_" + kind + "\n3,9,2,0\n" + friction + rest + a_to_c);
+  }
+  for (const std::string kind : {"AUTOMATIC_NODES_TO_SURFACE", "NODES_TO_SURFACE"})
+    expect_round_trip(two + "*CONTACT_" + kind + "\n5,1,4,3\n" + friction + rest + a_to_c);
+  for (const std::string kind : {"AUTOMATIC_SINGLE_SURFACE", "SINGLE_SURFACE"})
+    expect_round_trip(two + "*CONTACT_" + kind + "\n0,0,5\n" + friction + rest + a_to_c);
+  for (const std::string order : {"0,1,1\n", "0,0,1\n", "\n"}) {
+    expect_round_trip(two + "*CONTACT_ERODING_SURFACE_TO_SURFACE\n2,1,3,3\n" + friction + rest + order +
+                      a_to_c);
+    expect_round_trip(two + "*CONTACT_ERODING_NODES_TO_SURFACE\n5,1,4,3\n" + friction + rest + order +
+                      a_to_c);
+    expect_round_trip(two + "*CONTACT_ERODING_SINGLE_SURFACE\n3,0,2\n" + friction + rest + order + a_to_c);
+  }
+  for (const std::string kind :
+       {"TIED_SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE", "TIED_SURFACE_TO_SURFACE_OFFSET"})
+    expect_round_trip(two + "*CONTACT_" + kind + "\n2,1,3,3\n0,0,0,0,0,0,0.25,0.75\n1.5,0.5,-0.2\n");
+}
+
 }  // namespace
 }  // namespace cleave::model
