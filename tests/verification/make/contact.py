@@ -3,6 +3,7 @@
 import math
 import sys
 from pathlib import Path
+from random import Random
 
 from deck import Deck
 from mesh import Mesh
@@ -445,6 +446,66 @@ def bounce(name):
 
 for _name in METHODS:
     CASES["bounce_" + _name] = lambda name=_name: bounce(name)
+
+
+# --- many bodies in a box --------------------------------------------------------------------------------------
+
+def rotation(random):
+    """A random rotation, from a unit quaternion."""
+    while True:
+        q = [random.uniform(-1, 1) for _ in range(4)]
+        n = math.sqrt(sum(c * c for c in q))
+        if 0.1 < n < 1.0:
+            break
+    w, x, y, z = (c / n for c in q)
+    return [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+
+
+def box_of_bodies(name, across, layers, end):
+    """across^2 x layers random convex bodies of 2 x 2 x 2 elements, dropped into a box of rigid walls."""
+    random = Random(20)
+    cell = 1.7
+    deck = start(name, f"{across * across * layers} bodies in a box",
+                 f"{across * across * layers} random convex bodies dropped into a box, single surface, SOFT 1, friction",
+                 "no body leaves, nothing goes deeper than a quarter of an element, contact makes no energy", end)
+    material(deck, 1, 1.0, 1.0e4, 0.3, hourglass=5)
+    mesh, smallest = Bodies(), 1e30
+    for place in range(across * across * layers):
+        centre = [cell * (place % across + 0.5), cell * (place // across % across + 0.5),
+                  cell * (place // across ** 2 + 0.5) + 0.1]
+        turn, size = rotation(random), [random.uniform(0.55, 0.9) for _ in range(3)]
+        skew = [random.uniform(-0.15, 0.15) for _ in range(3)]
+        taper = random.uniform(0.75, 1.0)
+        smallest = min(smallest, 0.5 * min(size) * taper)
+
+        def put(a, b, c):
+            f = taper + (1 - taper) * (1 - c)  # narrower above
+            u = [size[0] * f * (a - 0.5) + skew[0] * (b - 0.5), size[1] * f * (b - 0.5) + skew[1] * (c - 0.5),
+                 size[2] * (c - 0.5) + skew[2] * (a - 0.5)]
+            return tuple(m + sum(r * v for r, v in zip(row, u)) for m, row in zip(centre, turn))
+
+        mesh.block(1, (2, 2, 2), put)
+    wide = cell * across
+    for point, normal in (((0, 0, 0), (0, 0, 1)), ((0, 0, 0), (1, 0, 0)), ((0, 0, 0), (0, 1, 0)),
+                          ((wide, 0, 0), (-1, 0, 0)), ((0, wide, 0), (0, -1, 0))):
+        deck.card("RIGIDWALL_PLANAR", [0], [float(c) for c in point] + [float(p + n) for p, n in zip(point, normal)] + [0.2])
+    deck.says("expect", f"penetration contact=1 max  0.0  abs={0.25 * smallest:.4f} (model: a quarter of the smallest element)")
+    deck.says("expect", "normal_energy id=1 file=sleout min  0.0  abs=0.08 (order: contact creates less than 1 % of what falls)")
+    deck.says("expect", "friction_energy id=1 file=sleout min  0.0  abs=1e-6 (order: friction only takes)")
+    deck.says("expect", "energy_ratio max 1.0 abs=0.01 (order: never more than there was)")
+    for axis in range(2):
+        deck.says("expect", f"summary parts.0.final.high.{axis}  {wide / 2:g}  abs={wide / 2 + 0.02:g} (model: in the box)")
+        deck.says("expect", f"summary parts.0.final.low.{axis}  {wide / 2:g}  abs={wide / 2 + 0.02:g} (model)")
+    deck.says("vary", "threads=1,2")
+    gravity(deck, -0.5, 0.0)
+    contact(deck, "AUTOMATIC_SINGLE_SURFACE", 1, friction=0.2, damping=10.0, a=0, b=0, types=(5, 0))
+    deck.mesh(mesh)
+    return deck
+
+
+CASES["box"] = lambda: box_of_bodies("contact_box", 3, 3, 8.0)
 
 
 # --- ties ------------------------------------------------------------------------------------------------------
