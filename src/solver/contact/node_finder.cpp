@@ -68,10 +68,9 @@ class NodeFinder final : public Gauge {
       if (f < 0) return;
       Touch touch;
       std::copy(place.weight, place.weight + 4, touch.wb);
-      const double way =
-          penetrates(now, slave, f, place, touch)
-              ? -touch.depth
-              : norm(slave.at - place.point) - slave.offset - face(f).offset;
+      const double way = penetrates(now, slave, f, place, touch)
+                             ? -touch.depth
+                             : norm(slave.at - place.point) - slave.offset - face(f).offset;
       double& least = gap[static_cast<std::size_t>(node)];
       least = std::min(least, way);
     });
