@@ -18,11 +18,10 @@ std::vector<std::array<Vertex, D>> inner_faces(const SpaceMeshInput<D>& in, cons
     for (std::size_t opposite = 0; opposite <= D; ++opposite) {
       std::array<Vertex, D> face;
       bool all = true;
-      for (std::size_t i = 0, to = 0; i <= D; ++i)
-        if (i != opposite) {
-          face[to++] = simplex[i];
-          all = all && marked[static_cast<std::size_t>(simplex[i])];
-        }
+      for (std::size_t i = 0; i < D; ++i) {
+        face[i] = simplex[i + (i >= opposite ? 1 : 0)];
+        all = all && marked[static_cast<std::size_t>(face[i])];
+      }
       if (!all) continue;
       std::sort(face.begin(), face.end());
       ++count[face];
