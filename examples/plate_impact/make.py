@@ -9,6 +9,10 @@ Units: gram, millimetre, millisecond; hence newton and megapascal.
 """
 import math
 import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from round_section import round_section  # noqa: E402
 
 PLATE, THICKNESS, BALL, SPEED, GAP = 20.0, 5.0, 5.0, 600.0, 0.05
 
@@ -105,36 +109,6 @@ $ The rim of the plate is held.
 """
 
 
-def disc(core, rings):
-    """Nodes (x, y), counter-clockwise quads, and the nodes of the rim."""
-    half = 0.45 * PLATE
-    nodes, quads, number = [], [], {}
-
-    def node(x, y):
-        key = (round(x, 9), round(y, 9))
-        if key not in number:
-            number[key] = len(nodes)
-            nodes.append(key)
-        return number[key]
-
-    side = [-half + 2.0 * half * i / core for i in range(core + 1)]
-    grid = [[node(x, y) for y in side] for x in side]
-    quads += [(grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1])
-              for i in range(core) for j in range(core)]
-    loop = ([grid[i][0] for i in range(core)] + [grid[core][j] for j in range(core)] +
-            [grid[i][core] for i in range(core, 0, -1)] + [grid[0][j] for j in range(core, 0, -1)])
-    inner = loop
-    for ring in range(1, rings + 1):
-        t, outer = ring / rings, []
-        for q, start in enumerate(loop):
-            angle = -0.75 * math.pi + 2.0 * math.pi * q / len(loop)
-            x, y = nodes[start]
-            outer.append(node((1 - t) * x + t * PLATE * math.cos(angle), (1 - t) * y + t * PLATE * math.sin(angle)))
-        quads += [(inner[q], outer[q], outer[p], inner[p]) for q in range(len(loop)) for p in [(q + 1) % len(loop)]]
-        inner = outer
-    return nodes, quads, inner
-
-
 def ball(n, radius):
     """Nodes and hexahedra of a ball around the origin: a cube inside shells that blend into the sphere."""
     shells, half = max(n // 3, 1), 0.4 * radius
@@ -181,7 +155,7 @@ def ball(n, radius):
 
 
 def main(core=20, rings=8, layers=5, ball_size=6):
-    flat, quads, rim = disc(core, rings)
+    flat, quads, rim = round_section(PLATE, core, rings)
     rows = len(flat)
     nodes = [(x, y, -THICKNESS + THICKNESS * k / layers) for k in range(layers + 1) for x, y in flat]
     elements = [(1, [k * rows + q for q in quad] + [(k + 1) * rows + q for q in quad])

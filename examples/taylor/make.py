@@ -6,8 +6,11 @@ usage: make.py [CORE RINGS LAYERS]        (6 3 48: 5184 hexahedra)
 The section of the bar is a square core of CORE x CORE elements inside RINGS rings that blend into the circle.
 Units: tonne, millimetre, second; hence newton and megapascal.
 """
-import math
 import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from round_section import round_section  # noqa: E402
 
 RADIUS, LENGTH, SPEED = 3.2, 32.4, 227.0e3
 
@@ -100,46 +103,10 @@ $--- the mesh ------------------------------------------------------------------
 """
 
 
-def section(core, rings):
-    """Nodes (x, y) and counter-clockwise quads of the bar's section."""
-    half = 0.45 * RADIUS  # of the core square: leaves ring elements about as deep as the core's are wide
-    nodes, quads = [], []
-    number = {}
-
-    def node(x, y):
-        key = (round(x, 9), round(y, 9))
-        if key not in number:
-            number[key] = len(nodes)
-            nodes.append(key)
-        return number[key]
-
-    side = [-half + 2.0 * half * i / core for i in range(core + 1)]
-    grid = [[node(x, y) for y in side] for x in side]
-    quads += [(grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1])
-              for i in range(core) for j in range(core)]
-
-    # The core's outline, counter-clockwise from its corner at -135 degrees, blends into the circle.
-    loop = ([grid[i][0] for i in range(core)] + [grid[core][j] for j in range(core)] +
-            [grid[i][core] for i in range(core, 0, -1)] + [grid[0][j] for j in range(core, 0, -1)])
-    inner = loop
-    for ring in range(1, rings + 1):
-        t, outer = ring / rings, []
-        for q, start in enumerate(loop):
-            angle = -0.75 * math.pi + 2.0 * math.pi * q / len(loop)
-            x, y = nodes[start]
-            outer.append(node((1 - t) * x + t * RADIUS * math.cos(angle),
-                              (1 - t) * y + t * RADIUS * math.sin(angle)))
-        for q in range(len(loop)):
-            p = (q + 1) % len(loop)
-            quads.append((inner[q], outer[q], outer[p], inner[p]))
-        inner = outer
-    return nodes, quads
-
-
 def main(core=6, rings=3, layers=48):
     if core % 2:
         sys.exit("make.py: CORE must be even, so that nodes lie on the axes")
-    nodes, quads = section(core, rings)
+    nodes, quads, _ = round_section(RADIUS, core, rings)
     rows = len(nodes)
     foot = nodes.index((RADIUS, 0.0)) + 1
     axis = nodes.index((0.0, 0.0)) + 1

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "model/keyword/handler.hpp"
+#include "model/keyword/over_time.hpp"
 #include "model/outer_faces.hpp"
 
 namespace cleave::model {
@@ -171,10 +172,9 @@ void take_contact(Draft& draft, const Entry& entry) {
   contact.viscous_limit = entry.real_or("VSF", pure, 1.0) * coefficient(draft, entry, "VC", {1, -1, -2});
   contact.damping = 0.01 * coefficient(draft, entry, "VDC");
   contact.birth = entry.real("BT", a_time);
-  contact.death = entry.real("DT", a_time);
+  contact.death = death_time(entry, "DT");
   if (contact.birth < 0.0)
     draft.refuse(entry, "BT", "a birth time below 0", "give the time at which it starts");
-  if (contact.death == 0.0 || entry.card().real("DT") >= 1e20) contact.death = forever;
   contact.scale_a = entry.real_or("SFSA", pure, 1.0);
   contact.scale_b = entry.real_or("SFSB", pure, 1.0);
   if (contact.scale_a < 0.0 || contact.scale_b < 0.0)

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "model/keyword/handler.hpp"
+#include "model/keyword/over_time.hpp"
 
 namespace cleave::model {
 namespace {
@@ -87,36 +88,21 @@ void take_motion(Draft& draft, const Entry& entry) {
     return draft.refuse(entry, "LRB", "motion relative to a rigid body",
                         "prescribe the motion in global axes");
 
-  switch (entry.integer("VAD")) {
-    case 0:
-      motion.kind = PrescribedMotion::Kind::velocity;
-      break;
-    case 1:
-      motion.kind = PrescribedMotion::Kind::acceleration;
-      break;
-    case 2:
-      motion.kind = PrescribedMotion::Kind::displacement;
-      break;
-    case 3:
-      motion.kind = PrescribedMotion::Kind::velocity_by_displacement;
-      if (motion.rotation)
-        return draft.refuse(entry, "VAD", "speed of rotation over angle (VAD 3)",
-                            "give it over time (0), or the angle over time (2)");
-      break;
-    case 4:
-      return draft.refuse(entry, "VAD", "relative displacement (VAD 4) is one of rigid bodies",
-                          "give the displacement (2) over time");
-    default:
-      return draft.error(
-          entry, "VAD", "found " + std::to_string(entry.integer("VAD")) + ", expected 0 to 4",
-          "velocity (0), acceleration (1) or displacement (2) over time, velocity over displacement (3)");
+  const auto vad = entry.integer("VAD");
+  if (vad == 3) {
+    motion.kind = PrescribedMotion::Kind::velocity_by_displacement;
+    if (motion.rotation)
+      return draft.refuse(entry, "VAD", "speed of rotation over angle (VAD 3)",
+                          "give it over time (0), or the angle over time (2)");
+  } else if (vad == 4) {
+    return draft.refuse(entry, "VAD", "relative displacement (VAD 4) is one of rigid bodies",
+                        "give the displacement (2) over time");
+  } else if (!kind_over_time(vad, motion.kind)) {
+    return draft.error(
+        entry, "VAD", "found " + std::to_string(vad) + ", expected 0 to 4",
+        "velocity (0), acceleration (1) or displacement (2) over time, velocity over displacement (3)");
   }
-  motion.curve = draft.curve(entry, "LCID");
-  if (motion.curve < 0) return;
-  motion.scale = entry.real_or("SF", pure, 1.0);
-  motion.birth = entry.real("BIRTH", a_time);
-  motion.death = entry.real("DEATH", a_time);
-  if (motion.death == 0.0 || entry.card().real("DEATH") >= 1e20) motion.death = forever;
+  if (!read_over_time(draft, entry, motion)) return;
 
   // Rows that differ only in their node are one motion.
   auto& all = draft.model.motions;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/keyword/over_time.hpp"
 #include "model/keyword/rigid_cards.hpp"
 #include "model/keyword/row_place.hpp"
 
@@ -66,26 +67,11 @@ void take_motion(Draft& draft, const Entry& entry) {
   motion.local = entry.keyword().ends_with("_LOCAL");
   motion.body = body_of(draft, entry);
   if (motion.body < 0 || !take_direction(draft, entry, motion)) return;
-  switch (entry.integer("VAD")) {
-    case 0:
-      motion.kind = PrescribedMotion::Kind::velocity;
-      break;
-    case 1:
-      motion.kind = PrescribedMotion::Kind::acceleration;
-      break;
-    case 2:
-      motion.kind = PrescribedMotion::Kind::displacement;
-      break;
-    default:
-      return draft.refuse(entry, "VAD", "motion of kind " + std::to_string(entry.integer("VAD")),
-                          "give velocity (0), acceleration (1) or displacement (2) over time");
-  }
-  motion.curve = draft.curve(entry, "LCID");
-  if (motion.curve < 0) return;
-  motion.scale = entry.real_or("SF", pure, 1.0);
-  motion.birth = entry.real("BIRTH", a_time);
-  motion.death = entry.real("DEATH", a_time);
-  if (motion.death == 0.0 || entry.card().real("DEATH") >= 1e20) motion.death = forever;
+  const auto vad = entry.integer("VAD");
+  if (!kind_over_time(vad, motion.kind))
+    return draft.refuse(entry, "VAD", "motion of kind " + std::to_string(vad),
+                        "give velocity (0), acceleration (1) or displacement (2) over time");
+  if (!read_over_time(draft, entry, motion)) return;
   draft.model.rigid_motions.push_back(std::move(motion));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/keyword/handler.hpp"
+#include "model/keyword/over_time.hpp"
 
 namespace cleave::model {
 namespace {
@@ -43,8 +44,7 @@ void take_spc(Draft& draft, const Entry& entry) {
   }
   if (entry.has("BIRTH")) {
     fixed.birth = entry.real("BIRTH", a_time);
-    fixed.death = entry.real("DEATH", a_time);
-    if (fixed.death == 0.0 || entry.card().real("DEATH") >= 1e20) fixed.death = forever;
+    fixed.death = death_time(entry, "DEATH");
   }
   if (fixed.directions == 0) draft.warning(entry, "DOFX", "no direction is fixed");
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/keyword/handler.hpp"
+#include "model/keyword/over_time.hpp"
 
 namespace cleave::model {
 namespace {
@@ -38,8 +39,7 @@ bool read_common(Draft& draft, const Entry& entry, RigidWall& wall) {
 
   wall.friction = entry.real("FRIC", pure);
   wall.birth = entry.real("BIRTH", a_time);
-  wall.death = entry.real("DEATH", a_time);
-  if (wall.death == 0.0 || entry.card().real("DEATH") >= 1e20) wall.death = forever;
+  wall.death = death_time(entry, "DEATH");
   return true;
 }
 

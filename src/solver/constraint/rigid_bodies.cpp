@@ -8,8 +8,11 @@
 
 #include "base/threads.hpp"
 #include "solver/constraint/kinds.hpp"
+#include "solver/field.hpp"
 #include "solver/ordered_sum.hpp"
+#include "solver/rigid/body_loads.hpp"
 #include "solver/rigid/drive.hpp"
+#include "solver/rigid/inertia.hpp"
 
 namespace cleave::solver {
 namespace {
@@ -20,11 +23,6 @@ using discretisation::RigidBody;
 
 constexpr std::size_t grain = 512;
 constexpr double largest_angle = 0.2;  // that a body may turn in a step [radian]
-
-Vector vector_at(std::span<const double> field, Index node) {
-  const double* v = &field[3 * static_cast<std::size_t>(node)];
-  return {v[0], v[1], v[2]};
-}
 
 /// What a body remembers, as it lies in the memory: at t_n, over the steps around it, and at t_n+1.
 struct Body {
@@ -45,55 +43,15 @@ struct Body {
 constexpr std::size_t width = sizeof(Body) / sizeof(double);
 static_assert(width * sizeof(double) == sizeof(Body), "a body is nothing but doubles");
 
-/// Sum of forces on the nodes, and of their moments about the centre.
-struct Wrench {
-  Vector force{0, 0, 0}, moment{0, 0, 0};
-  Wrench& operator+=(const Wrench& other) {
-    force = force + other.force;
-    moment = moment + other.moment;
-    return *this;
-  }
-};
-
-/// The inertia of a body as it stands.
-class Inertia {
- public:
-  Inertia(const RigidBody& body, const Rotation& rotation) : body_(body), rotation_(rotation) {}
-  /// Components along the principal axes, and back.
-  Vector to_axes(const Vector& v) const {
-    const Vector r = rotation_.inverse()(v);
-    const auto& e = body_.axis;
-    return {e[0][0] * r.x + e[1][0] * r.y + e[2][0] * r.z, e[0][1] * r.x + e[1][1] * r.y + e[2][1] * r.z,
-            e[0][2] * r.x + e[1][2] * r.y + e[2][2] * r.z};
-  }
-  Vector from_axes(const Vector& v) const {
-    const auto& e = body_.axis;
-    return rotation_(Vector{e[0][0] * v.x + e[0][1] * v.y + e[0][2] * v.z,
-                            e[1][0] * v.x + e[1][1] * v.y + e[1][2] * v.z,
-                            e[2][0] * v.x + e[2][1] * v.y + e[2][2] * v.z});
-  }
-  Vector times(const Vector& spin) const { return scaled(spin, body_.moment); }
-  Vector solve(const Vector& momentum) const { return scaled(momentum, body_.inverse); }
-
- private:
-  Vector scaled(const Vector& v, const double (&by)[3]) const {
-    const Vector a = to_axes(v);
-    return from_axes({by[0] * a.x, by[1] * a.y, by[2] * a.z});
-  }
-  const RigidBody& body_;
-  const Rotation& rotation_;
-};
-
 class RigidBodies final : public Constraint {
  public:
   explicit RigidBodies(const discretisation::World& world)
-      : world_(world), model_(*world.model), drives_(model_) {
+      : world_(world), model_(*world.model), drives_(model_), loads_(world) {
     for (const RigidBody& body : world.bodies)
       nodes_.insert(nodes_.end(), body.node.begin(), body.node.end());
     std::sort(nodes_.begin(), nodes_.end());
     for (std::size_t b = 0; b < world.bodies.size(); ++b)
       (world.bodies[b].node.size() > grain ? large_ : small_).push_back(b);
-    for (std::size_t b = 0; b < world.bodies.size(); ++b) felt_.push_back(loads_felt(b));
   }
 
   std::string name() const override { return "rigid bodies"; }
@@ -200,19 +158,6 @@ class RigidBodies final : public Constraint {
     std::copy_n(reinterpret_cast<const double*>(&body), width, &memory[width * b]);
   }
 
-  /// Which *LOAD_BODY act on a body: those on most of its nodes.
-  std::vector<const model::BodyLoad*> loads_felt(std::size_t b) const {
-    std::vector<const model::BodyLoad*> felt;
-    const auto& nodes = world_.bodies[b].node;
-    for (const model::BodyLoad& load : model_.body_loads) {
-      const auto count = std::count_if(nodes.begin(), nodes.end(), [&](Index a) {
-        return load.nodes.empty() || load.nodes[static_cast<std::size_t>(a)];
-      });
-      if (2 * static_cast<std::size_t>(count) > nodes.size()) felt.push_back(&load);
-    }
-    return felt;
-  }
-
   /// What elements, contact and loads do to the nodes.
   Wrench sum_forces(const Moment& now, std::size_t b, const Body& body, std::span<const double> a) const {
     const RigidBody& fixed = world_.bodies[b];
@@ -229,42 +174,6 @@ class RigidBodies final : public Constraint {
     };
     return fixed.node.size() > grain ? ordered_sum<Wrench>(fixed.node.size(), grain, part)
                                      : part(0, fixed.node.size());
-  }
-
-  /// Loads on the body as a whole: *LOAD_BODY, *LOAD_RIGID_BODY.
-  Wrench body_loads(const Moment& now, std::size_t b, const Body& body) const {
-    const RigidBody& fixed = world_.bodies[b];
-    const double mass = fixed.whole.mass;
-    const auto value = [&](Index curve, double scale) {
-      return scale * load_value(model_.curves[static_cast<std::size_t>(curve)], now.time, now.step);
-    };
-    Wrench sum;
-    for (const model::BodyLoad* load : felt_[b]) {
-      const double size = value(load->curve, load->scale);
-      if (!load->rotation) {
-        sum.force = sum.force - (mass * size) * load->direction;
-        continue;
-      }
-      // Centrifugal: w^2 (1 - d d) x, and its moment about the centre w^2 (J d) x d.
-      const Vector d = load->direction, arm = fixed.whole.centre + body.displacement - load->centre;
-      const double square = load->generalized ? dot(d, d) : 1.0;
-      sum.force = sum.force + (mass * size * size) * (square * arm - dot(arm, d) * d);
-      sum.moment = sum.moment + (size * size) * cross(Inertia(fixed, body.rotation).times(d), d);
-    }
-    for (const model::RigidLoad& load : model_.rigid_loads) {
-      if (load.body != static_cast<Index>(b)) continue;
-      Vector& to = load.moment ? sum.moment : sum.force;
-      to = to + value(load.curve, load.scale) * (load.follower ? follow(now, load) : load.direction);
-    }
-    return sum;
-  }
-
-  static Vector follow(const Moment& now, const model::RigidLoad& load) {
-    Vector x[3];
-    for (int k = 0; k < 3; ++k) x[k] = vector_at(now.position, load.follow[k]);
-    const Vector normal = cross(x[1] - x[0], x[2] - x[0]);
-    const double length = std::sqrt(dot(normal, normal));
-    return length > 0.0 ? (1.0 / length) * normal : Vector{0, 0, 0};
   }
 
   /// Damping by mass of a body at t_n, per axis [1/time].
@@ -299,7 +208,7 @@ class RigidBodies final : public Constraint {
     const RigidBody& fixed = world_.bodies[b];
     const std::span<double> rows = memory.subspan(width * world_.bodies.size());
     const BodyNow at{body.displacement, body.velocity, body.spin, body.rotation};
-    const Wrench loads = body_loads(now, b, body);
+    const Wrench loads = loads_.at(now, b, at);
     const Vector rate = damping(now, b);
     body.external_before = body.external_after = body.damping_before = body.damping_after = 0.0;
     body.force = body.moment = {0, 0, 0};
@@ -430,9 +339,9 @@ class RigidBodies final : public Constraint {
   const discretisation::World& world_;
   const model::Model& model_;
   Drives drives_;
-  std::vector<Index> nodes_;                               // of all bodies, ascending
-  std::vector<std::size_t> small_, large_;                 // bodies by the number of their nodes
-  std::vector<std::vector<const model::BodyLoad*>> felt_;  // [body]
+  BodyLoads loads_;
+  std::vector<Index> nodes_;                // of all bodies, ascending
+  std::vector<std::size_t> small_, large_;  // bodies by the number of their nodes
 };
 
 }  // namespace

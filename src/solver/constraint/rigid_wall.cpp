@@ -8,6 +8,8 @@
 #include "base/threads.hpp"
 #include "solver/constraint/kinds.hpp"
 #include "solver/constraint/rigid_wall_friction.hpp"
+#include "solver/constraint/rigid_wall_work.hpp"
+#include "solver/field.hpp"
 
 namespace cleave::solver {
 namespace {
@@ -16,11 +18,6 @@ using model::RigidWall;
 using model::Vector;
 
 constexpr std::size_t grain = 2048;
-
-Vector vector_at(std::span<const double> field, Index node) {
-  const double* v = &field[3 * static_cast<std::size_t>(node)];
-  return {v[0], v[1], v[2]};
-}
 
 /// A node that would pass the wall within the step.
 struct Hit {
@@ -72,22 +69,9 @@ class PlanarWall final : public Constraint {
 
   std::span<const Index> corrected() const override { return nodes_; }
 
-  /// What the wall's motion gives is external work; what does not arrive in the nodes is lost in the wall.
   Halves work(const Moment& now, std::span<const double> memory,
               std::span<const double> acceleration) const override {
-    const double late = memory[velocity];
-    const double middle = speed_before_ + (late - speed_before_) * (0.5 * now.step_before / now.interval());
-    Halves sum;
-    sum.before.external = 0.25 * now.step_before * memory[normal_force] * (speed_before_ + middle);
-    sum.after.external = 0.25 * now.step * memory[normal_force] * (middle + late);
-    sum.before.wall = sum.before.external;
-    sum.after.wall = sum.after.external;
-    for (const Hit& hit : hits_) {
-      const ImpulseWork node = impulse_work(now, hit.node, hit.force, acceleration);
-      sum.before.wall -= node.before;
-      sum.after.wall -= node.after;
-    }
-    return sum;
+    return wall_work(now, memory[normal_force], speed_before_, memory[velocity], hits_, acceleration);
   }
 
   void report(std::span<const double> memory, Reactions& reactions) const override {

@@ -13,6 +13,8 @@
 #include "solver/constraint/kinds.hpp"
 #include "solver/constraint/rigid_wall_friction.hpp"
 #include "solver/constraint/rigid_wall_shape.hpp"
+#include "solver/constraint/rigid_wall_work.hpp"
+#include "solver/field.hpp"
 
 namespace cleave::solver {
 namespace {
@@ -21,11 +23,6 @@ using model::RigidWall;
 using model::Vector;
 
 constexpr std::size_t grain = 2048;
-
-Vector vector_at(std::span<const double> field, Index node) {
-  const double* v = &field[3 * static_cast<std::size_t>(node)];
-  return {v[0], v[1], v[2]};
-}
 
 class GeometricWall final : public Constraint {
  public:
@@ -66,24 +63,11 @@ class GeometricWall final : public Constraint {
 
   std::span<const Index> corrected() const override { return nodes_; }
 
-  /// What the wall's motion gives is external work; what does not arrive in the nodes is lost in the wall.
   Halves work(const Moment& now, std::span<const double> memory,
               std::span<const double> acceleration) const override {
     const Vector& d = wall_.motion_direction;
     const double along = memory[force_x] * d.x + memory[force_x + 1] * d.y + memory[force_x + 2] * d.z;
-    const double late = memory[speed];
-    const double middle = speed_before_ + (late - speed_before_) * (0.5 * now.step_before / now.interval());
-    Halves sum;
-    sum.before.external = 0.25 * now.step_before * along * (speed_before_ + middle);
-    sum.after.external = 0.25 * now.step * along * (middle + late);
-    sum.before.wall = sum.before.external;
-    sum.after.wall = sum.after.external;
-    for (const Stop& one : stops_) {
-      const ImpulseWork node = impulse_work(now, one.node, one.force, acceleration);
-      sum.before.wall -= node.before;
-      sum.after.wall -= node.after;
-    }
-    return sum;
+    return wall_work(now, along, speed_before_, memory[speed], stops_, acceleration);
   }
 
   void report(std::span<const double> memory, Reactions& reactions) const override {

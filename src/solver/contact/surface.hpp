@@ -10,16 +10,13 @@
 #include "base/tensor.hpp"
 #include "discretisation/world.hpp"
 #include "model/contact.hpp"
+#include "solver/field.hpp"
 
 namespace cleave::solver {
 
 using model::Index;
 using Vector = base::Vec3<double>;
 
-inline Vector vector_at(std::span<const double> field, Index node) {
-  const double* v = &field[3 * static_cast<std::size_t>(node)];
-  return {v[0], v[1], v[2]};
-}
 inline double norm(const Vector& v) {
   return std::sqrt(base::dot(v, v));
 }

@@ -1,7 +1,6 @@
 /// *LOAD_NODE: a force on each node along a fixed direction, or along the normal of three moving nodes.
 
-#include <cmath>
-
+#include "solver/field.hpp"
 #include "solver/load/kinds.hpp"
 
 namespace cleave::solver {
@@ -28,18 +27,9 @@ class NodeForce final : public Load {
   }
 
  private:
-  /// A follower turns with the plane of its three nodes (right-hand rule); no direction when they are in
-  /// line.
+  /// A follower turns with the plane of its three nodes; no direction when they are in line.
   Vector direction(const Moment& now) const {
-    if (!load_.follower) return load_.direction;
-    Vector x[3];
-    for (int a = 0; a < 3; ++a) {
-      const double* p = &now.position[3 * static_cast<std::size_t>(load_.follow[a])];
-      x[a] = {p[0], p[1], p[2]};
-    }
-    const Vector normal = base::cross(x[1] - x[0], x[2] - x[0]);
-    const double length = std::sqrt(base::dot(normal, normal));
-    return length > 0.0 ? (1.0 / length) * normal : Vector{0, 0, 0};
+    return load_.follower ? normal_of(now.position, load_.follow) : load_.direction;
   }
 
   const model::Model& model_;
