@@ -21,6 +21,9 @@ namespace cleave::discretisation {
 
 class ForceSum {
  public:
+  /// Eight integers whose sums wrap around instead of overflowing.
+  using Wrapping = std::uint64_t __attribute__((vector_size(64)));
+
   explicit ForceSum(std::size_t node_count = 0) { resize(node_count); }
   void resize(std::size_t node_count);
 
@@ -30,13 +33,14 @@ class ForceSum {
 
   /// Scaled integer of one contribution, for |value| < limit(). Two roundings never happen: one multiply by a
   /// power of two (exact) and one addition that rounds to the nearest integer.
+  /// A value beyond the limit, or NaN, gives some integer that out_of_range() shows: the difference wraps.
   std::int64_t quantum(double value) const {
-    return std::bit_cast<std::int64_t>(value * scale_ + magic) - magic_bits;
+    return static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(value * scale_ + magic) - magic_bits);
   }
   /// The same for eight lanes at once.
   base::Mask::Vector quantum(base::Lanes value) const {
     const base::Lanes shifted = value * base::Lanes(scale_) + base::Lanes(magic);
-    return std::bit_cast<base::Mask::Vector>(shifted.v) - magic_bits;
+    return (base::Mask::Vector)(std::bit_cast<Wrapping>(shifted.v) - magic_bits);
   }
   double limit() const { return limit_; }  ///< |value| given to quantum() must be below it [force]
   /// Folds integers of quantum() into the bits a chunk reports: or-ing keeps the highest bit, which is all
@@ -88,7 +92,7 @@ class ForceSum {
  private:
   static constexpr double magic =
       6755399441055744.0;  // 1.5 * 2^52: adding it leaves the integer in the low bits
-  static constexpr std::int64_t magic_bits = std::bit_cast<std::int64_t>(magic);
+  static constexpr std::uint64_t magic_bits = std::bit_cast<std::uint64_t>(magic);
 
   base::Array<std::int64_t> sum_;  // [node][3]
   base::Array<std::int64_t> partial_;

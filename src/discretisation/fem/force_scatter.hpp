@@ -40,19 +40,20 @@ class ForceScatter {
   std::int64_t add(std::size_t batch, const Chunk& chunk, base::Mask active, bool everyone,
                    const Vec3<Lanes>* f, ChunkMemory& memory, const Broken& broken) const {
     Integers q[Nodes][3];
-    Integers bits = {}, last[3] = {};
+    Integers bits = {};
+    ForceSum::Wrapping last[3] = {};  // out of range or NaN it wraps, and add_large() puts it right
     for (int a = 0; a < Nodes - 1; ++a) {
       const Lanes component[3] = {f[a].x, f[a].y, f[a].z};
       for (int i = 0; i < 3; ++i) {
         q[a][i] = force_.quantum(component[i]);
         if (!everyone) q[a][i] &= active.v;
         bits |= ForceSum::magnitude_bits(q[a][i]);
-        last[i] -= q[a][i];
+        last[i] -= (ForceSum::Wrapping)q[a][i];
       }
     }
     for (int i = 0; i < 3; ++i) {
-      q[Nodes - 1][i] = last[i];
-      bits |= ForceSum::magnitude_bits(last[i]);
+      q[Nodes - 1][i] = (Integers)last[i];
+      bits |= ForceSum::magnitude_bits(q[Nodes - 1][i]);
     }
     std::int64_t magnitude = 0;
     for (int lane = 0; lane < lane_count; ++lane) magnitude |= bits[lane];

@@ -19,7 +19,8 @@ bool same_bits(double a, double b) {
 }
 template <class Array>
 bool same_bits(const Array& a, const Array& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return a.size() == b.size() &&
+         (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 class RestartFile : public testing::Test {

@@ -57,7 +57,8 @@ struct Everything : Rig {
 };
 
 bool same(const base::Array<double>& a, const base::Array<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return a.size() == b.size() &&
+         (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 void expect_same(const State& a, const State& b) {
