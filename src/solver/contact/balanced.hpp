@@ -8,72 +8,77 @@
 
 namespace cleave::solver {
 
-/// Adds a force on the nodes a and its opposite on the nodes b so that the integers cancel exactly.
+/// Adds the forces of touches so that the integers of both sides cancel exactly.
 class Balanced {
  public:
   explicit Balanced(discretisation::ForceSum& sum) : sum_(sum) {}
 
-  void add(const Touch& touch, const Vector& force) {
-    const double f[3] = {force.x, force.y, force.z};
+  void add(const Touch& touch) {
+    Index node[8];
+    double force[8][3];
+    int count = 0;
+    const auto part = [&](Index at, const Vector& f) {
+      node[count] = at;
+      force[count][0] = f.x;
+      force[count][1] = f.y;
+      force[count++][2] = f.z;
+    };
+    for (int k = 0; k < 4; ++k) {
+      if (touch.wa[k] != 0.0 || touch.faces) part(touch.a[k], force_on_a(touch, k));
+      if (touch.wb[k] != 0.0 || touch.faces) part(touch.b[k], force_on_b(touch, k));
+    }
     for (int i = 0; i < 3; ++i) {
-      if (f[i] == 0.0) continue;
-      largest_ = std::max(largest_, std::abs(f[i]));
-      if (std::abs(f[i]) < 0.25 * sum_.limit())
-        integers(touch, i, f[i]);
+      double most = 0.0;
+      for (int k = 0; k < count; ++k) most = std::max(most, std::abs(force[k][i]));
+      if (most == 0.0) continue;
+      largest_ = std::max(largest_, most);
+      if (most < 0.25 * sum_.limit())
+        integers(node, force, count, i);
       else
-        values(touch, i, f[i]);
+        values(node, force, count, i, most);
     }
   }
   double largest() const { return largest_; }
 
  private:
-  void integers(const Touch& touch, int i, double f) {
+  void integers(const Index* node, const double (*force)[3], int count, int i) {
     std::int64_t rest = 0;
-    int last = 0;
-    for (int k = 0; k < 4; ++k) {
-      if (touch.wa[k] != 0.0) give(touch.a[k], i, sum_.quantum(touch.wa[k] * f), rest);
-      if (touch.wb[k] != 0.0) give(touch.b[k], i, sum_.quantum(-touch.wb[k] * f), rest), last = k;
+    for (int k = 0; k < count; ++k) {
+      const std::int64_t integer = sum_.quantum(force[k][i]);
+      sum_.add(node[k], i, integer, true);
+      rest += integer;
     }
-    sum_.add(touch.b[last], i, -rest, true);
-  }
-  void give(Index node, int i, std::int64_t integer, std::int64_t& rest) {
-    sum_.add(node, i, integer, true);
-    rest += integer;
+    sum_.add(node[count - 1], i, -rest, true);
   }
   /// Beyond the range of the sum: parts that are multiples of one power of two, so that each is exact in
   /// whatever scale it is summed.
-  void values(const Touch& touch, int i, double f) {
+  void values(const Index* node, const double (*force)[3], int count, int i, double most) {
     int exponent = 0;
-    std::frexp(f, &exponent);
+    std::frexp(most, &exponent);
     const double unit = std::ldexp(1.0, exponent - 17);
     double rest = 0.0;
-    int last = 0;
-    const auto part = [&](Index node, double value) {
-      const double whole = unit * std::nearbyint(value / unit);
-      sum_.add_value(node, i, whole);
+    for (int k = 0; k < count; ++k) {
+      const double whole = unit * std::nearbyint(force[k][i] / unit);
+      sum_.add_value(node[k], i, whole);
       rest += whole;
-    };
-    for (int k = 0; k < 4; ++k) {
-      if (touch.wa[k] != 0.0) part(touch.a[k], touch.wa[k] * f);
-      if (touch.wb[k] != 0.0) part(touch.b[k], -touch.wb[k] * f), last = k;
     }
-    sum_.add_value(touch.b[last], i, -rest);
+    sum_.add_value(node[count - 1], i, -rest);
   }
   discretisation::ForceSum& sum_;
   double largest_ = 0.0;
 };
 
-/// Adds the shares of a force to the nodes of both sides [node][3].
-inline void add_touch(const Touch& touch, const Vector& f, std::span<double> force) {
-  const auto add = [&](Index node, double share) {
+/// Adds the forces of a touch to the nodes of both sides [node][3].
+inline void add_touch(const Touch& touch, std::span<double> force) {
+  const auto add = [&](Index node, const Vector& f) {
     double* to = &force[3 * static_cast<std::size_t>(node)];
-    to[0] += share * f.x;
-    to[1] += share * f.y;
-    to[2] += share * f.z;
+    to[0] += f.x;
+    to[1] += f.y;
+    to[2] += f.z;
   };
   for (int k = 0; k < 4; ++k) {
-    add(touch.a[k], touch.wa[k]);
-    add(touch.b[k], -touch.wb[k]);
+    add(touch.a[k], force_on_a(touch, k));
+    add(touch.b[k], force_on_b(touch, k));
   }
 }
 

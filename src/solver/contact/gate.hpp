@@ -43,11 +43,13 @@ class Gate {
     for (int i = 0; i < count; ++i) middle = middle + (1.0 / count) * face[i];
     for (std::size_t i = 0; i < 4; ++i) x_[i] = wide(face[i]);
     normal_ = wide(normal);
+    warp_ = 0.25 * std::abs(base::dot(face[0] - face[1] + face[2] - face[3], normal));
     middle_ = wide(middle);
   }
 
-  /// False only where `overlap` of the face with that of a lane is false.
-  base::Mask open(const Corners& corners) const {
+  /// False only where `Overlap::meet` of the face with that of a lane is false, or it is everywhere deeper
+  /// than a limit: most of those are the other sides of a body.
+  base::Mask open(const Corners& corners, Lanes limit = Lanes(1e300)) const {
     Wide y[4];
     for (std::size_t i = 0; i < 4; ++i) y[i] = corners.corner(i);
     const Wide area = cross(y[2] - y[0], y[3] - y[1]);
@@ -68,16 +70,22 @@ class Gate {
     const Wide middle{select(triangle, triple.x, four.x), select(triangle, triple.y, four.y),
                       select(triangle, triple.z, four.z)};
     const Lanes steep_a = dot(n, normal_), steep_b = dot(n, area);  // below and above zero
-    Lanes of_a = -1e300, of_b = -1e300;
+    Lanes of_a = -1e300, of_b = -1e300, least = 1e300;
     for (std::size_t i = 0; i < 4; ++i) {
-      of_a = max(of_a, depth(x_[i], middle, area, steep_a, steep_b));
-      of_b = max(of_b, depth(y[i], middle, area, steep_a, steep_b));
+      const Lanes a = depth(x_[i], middle, area, steep_a, steep_b);
+      const Lanes b = depth(y[i], middle, area, steep_a, steep_b);
+      of_a = max(of_a, a);
+      of_b = max(of_b, b);
+      least = min(least, min(a, b));
     }
-    return may & (of_a >= Lanes(0.0)) & (of_b >= Lanes(0.0));
+    // A face that is not plane deviates from its plane by as much as its corners do.
+    const Lanes slack = warp_ * steep_b - 0.25 * abs(dot(y[0] - y[1] + y[2] - y[3], area)) * steep_a;
+    return may & (of_a + slack >= Lanes(0.0)) & (of_b + slack >= Lanes(0.0)) &
+           ((least - slack) * sqrt(dot(n, n)) <= -limit * steep_a * steep_b);
   }
 
  private:
-  static constexpr double least_facing = 0.25;  // as in overlap.cpp
+  static constexpr double least_facing = 0.1;  // as in overlap.cpp
 
   static Wide wide(const Vector& v) { return {Lanes(v.x), Lanes(v.y), Lanes(v.z)}; }
   static base::Mask equal(const Wide& a, const Wide& b) {
@@ -101,6 +109,7 @@ class Gate {
   }
 
   Wide x_[4], normal_, middle_;
+  double warp_ = 0.0;
 };
 
 }  // namespace cleave::solver

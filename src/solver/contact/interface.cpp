@@ -6,7 +6,6 @@
 #include "base/threads.hpp"
 #include "solver/contact/balanced.hpp"
 #include "solver/contact/finders.hpp"
-#include "solver/contact/offsets.hpp"
 #include "solver/contact/pair_text.hpp"
 #include "solver/ordered_sum.hpp"
 
@@ -17,8 +16,7 @@ using base::dot;
 using discretisation::ForceSum;
 
 constexpr std::size_t grain = 256;
-constexpr double from_outside = 0.2;  // of the depth a step later, below which sides met from outside
-constexpr double tunnelled = 1.0;     // thicknesses behind a face at which a touch has come through
+constexpr double tunnelled = 1.0;  // thicknesses behind a face at which a touch has come through
 
 /// Energies taken from the nodes [energy].
 struct Spent {
@@ -74,7 +72,6 @@ class Interface final : public Interaction {
       ends_.push_back(touches_.size());
     }
     output.status = check(now, past);
-    offsets_.take(past, contact_);
 
     kept_.resize(touches_.size());
     std::vector<double> largest((touches_.size() + grain - 1) / grain, 0.0);
@@ -87,7 +84,7 @@ class Interface final : public Interaction {
         Touch& touch = touches_[i];
         const Remembered* old = past.find(touch.key);
         kept_[i] = press(now, memory[least_step], touch, old, first, damped[begin / grain]);
-        balanced.add(touch, touch.pressure + touch.friction + touch.viscous);
+        balanced.add(touch);
         add_rate(touch);
       }
       largest[begin / grain] = balanced.largest();
@@ -120,10 +117,10 @@ class Interface final : public Interaction {
         const Vector early = relative(touch, now.velocity);
         const Vector late = early + now.interval() * relative(touch, acceleration);
         const double b = -0.5 * now.step_before, a = -0.5 * now.step;
-        part.before +=
-            {b * dot(touch.pressure, early), b * dot(touch.friction, early), b * dot(touch.viscous, early)};
-        part.after +=
-            {a * dot(touch.pressure, late), a * dot(touch.friction, late), a * dot(touch.viscous, late)};
+        const double press = pressure_dot(touch, now.velocity);
+        const double pressed = press + now.interval() * pressure_dot(touch, acceleration);
+        part.before += {b * press, b * dot(touch.friction, early), b * dot(touch.viscous, early)};
+        part.after += {a * pressed, a * dot(touch.friction, late), a * dot(touch.viscous, late)};
       }
       return part;
     });
@@ -153,7 +150,7 @@ class Interface final : public Interaction {
     std::size_t worst = touches_.size();
     double most = 0.0;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const double power = dot(touches_[i].pressure, relative(touches_[i], now.velocity));
+      const double power = pressure_dot(touches_[i], now.velocity);
       if (worst == touches_.size() || power > most) most = power, worst = i;
     }
     if (worst < touches_.size()) return name_pair(now, worst, what, std::move(cause));
@@ -161,8 +158,7 @@ class Interface final : public Interaction {
   }
 
   void add_nodal(std::span<double> force) const override {
-    for (const Touch& touch : touches_)
-      add_touch(touch, touch.pressure + touch.friction + touch.viscous, force);
+    for (const Touch& touch : touches_) add_touch(touch, force);
   }
   void add_fields(const Moment& now, ContactFields& fields) override {
     std::vector<double> force(fields.pressure.size() * 3, 0.0);
@@ -194,20 +190,14 @@ class Interface final : public Interaction {
     head
   };
 
-  /// The depth that counts as none. What penetrates at the start counts as touching, and so do sides that
-  /// come to lie behind each other by anything but going into each other: nobody did the work. It does not
-  /// come back once it has left.
+  /// The depth that counts as none. What penetrates at the start counts as touching, and so do nodes that
+  /// come to lie behind a face by anything but going into it: nobody did the work. It does not come back once
+  /// it has left. For faces their finder knows.
   double offset_of(const Moment& now, const Touch& touch, const Remembered* old, bool first) const {
-    if (old && old->offset < Offsets::none) return std::min(old->offset, touch.depth);
+    if (touch.faces) return touch.offset;
+    if (old) return std::min(old->offset, touch.depth);
     if (first) return touch.depth;
-    const double before = std::clamp(depth_before(now, touch), 0.0, touch.depth);
-    if (contact_.soft != 2) return before;
-    // Where two wedges meet, each face also comes to lie over the far side of the other wedge. Such a pair
-    // did not meet from outside, and none around it did: it does not push.
-    const double around = offsets_.around(touch);
-    if (old) return around < Offsets::none ? before : Offsets::none;
-    if (around == Offsets::none && before > from_outside * touch.depth) return Offsets::none;
-    return std::min(around, before);
+    return std::clamp(depth_before(now, touch), 0.0, touch.depth);
   }
 
   /// Forces of a touch; @return what is to be remembered of it.
@@ -217,19 +207,8 @@ class Interface final : public Interaction {
     const double approach = dot(v, touch.normal);
     Remembered kept{{static_cast<double>(touch.key[0]), static_cast<double>(touch.key[1])},
                     {0, 0, 0},
-                    0.0,
-                    touch.depth,
-                    touch.pokes,
-                    touch.fade};
-    kept.offset = offset_of(now, touch, old, first);
-    // Nor may a tilt make the spring stiffer while it is let go than it was while it was pressed.
-    if (old) {
-      const bool pressed = approach < 0.0;
-      kept.pokes = pressed ? std::max(old->pokes, touch.pokes) : old->pokes;
-      kept.fade = pressed ? std::max(old->fade, touch.fade) : old->fade;
-      touch.pokes = std::min(touch.pokes, kept.pokes);
-      touch.fade = std::min(touch.fade, kept.fade);
-    }
+                    offset_of(now, touch, old, first),
+                    touch.depth};
     const double depth = touch.depth - kept.offset;
     double inverse_a = 0.0, inverse_b = 0.0;
     for (int k = 0; k < 4; ++k) {
@@ -239,17 +218,17 @@ class Interface final : public Interaction {
       if (mb > 0.0) inverse_b += touch.wb[k] * touch.wb[k] / mb;
     }
     const double mass = inverse_a + inverse_b > 0.0 ? 1.0 / (inverse_a + inverse_b) : 0.0;
-    touch.stiffness *= touch.fade * (1.0 + touch.pokes * (touch.cover - 1.0));
     if (contact_.soft == 1)
       touch.stiffness = std::max(touch.stiffness, 0.5 * contact_.soft_scale * mass / (step * step));
-    const double harder = touch.hardening * depth * depth;
-    const double push = touch.stiffness * depth * (1.0 + harder);
+    const double push = touch.faces ? touch.push : touch.stiffness * depth;
     if (!(push > 0.0)) {
       touch.stiffness = 0.0;
       return kept;
     }
-    touch.pressure = push * touch.normal;
-    touch.stiffness *= 1.0 + 3.0 * harder;  // what it is about this depth
+    if (touch.faces)
+      for (const Vector& part : touch.on_a) touch.pressure = touch.pressure + part;
+    else
+      touch.pressure = push * touch.normal;
 
     if (contact_.damping > 0.0) {
       const double critical = 2.0 * std::sqrt(touch.stiffness * mass);
@@ -290,10 +269,15 @@ class Interface final : public Interaction {
   /// Sums of stiffness over a node, as integers, so that the order does not matter.
   void add_rate(const Touch& touch) {
     if (touch.stiffness == 0.0) return;
+    double row = 1.0;  // half the sum of the shares: between faces some are negative
+    if (touch.faces) {
+      row = 0.0;
+      for (int k = 0; k < 4; ++k) row += 0.5 * (std::abs(touch.wa[k]) + std::abs(touch.wb[k]));
+    }
     const auto add = [&](Index node, double share) {
       if (share == 0.0) return;
       const auto integer =
-          static_cast<std::int64_t>(std::llrint(touch.stiffness * std::abs(share) * rate_scale_));
+          static_cast<std::int64_t>(std::llrint(row * touch.stiffness * std::abs(share) * rate_scale_));
       std::atomic_ref<std::int64_t>(rates_[static_cast<std::size_t>(node)])
           .fetch_add(integer, std::memory_order_relaxed);
     };
@@ -331,7 +315,8 @@ class Interface final : public Interaction {
       memory[force_x + 1] += sign * f.y;
       memory[force_x + 2] += sign * f.z;
       if (touch.stiffness > 0.0) memory[contact_area] += touch.area;
-      memory[deepest] = std::max(memory[deepest], touch.depth - kept_[i].offset);
+      if (kept_[i].offset < out_of_reach)
+        memory[deepest] = std::max(memory[deepest], depth_of(touch) - kept_[i].offset);
     }
   }
 
@@ -340,13 +325,15 @@ class Interface final : public Interaction {
     return touch.depth + dot(relative(touch, now.velocity), touch.normal) * now.step_before;
   }
 
+  static double depth_of(const Touch& touch) { return touch.faces ? touch.penetration : touch.depth; }
+
   /// A touch that went through the solid behind its face ends the run.
   discretisation::StepStatus check(const Moment& now, const Past& past) const {
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const Touch& touch = touches_[i];
-      if (touch.depth <= tunnelled * finder_of(i).face(touch.face).thickness) continue;
+      if (depth_of(touch) <= tunnelled * finder_of(i).face(touch.face).thickness) continue;
       const Remembered* old = past.find(touch.key);
-      if (!old || old->offset == Offsets::none) continue;
+      if (!old || old->offset == out_of_reach) continue;
       return name_pair(
           now, i, "went through the surface of the element",
           "the contact is too soft for this load: raise SFSA and SFSB or SLSFAC, or take SOFT 1 or 2");
@@ -383,7 +370,6 @@ class Interface final : public Interaction {
   std::vector<Touch> touches_;     // of the last call
   std::vector<std::size_t> ends_;  // of those of each finder
   std::vector<Remembered> kept_;
-  Offsets offsets_;
   std::vector<std::int64_t> rates_;  // [node], zero between calls
 };
 

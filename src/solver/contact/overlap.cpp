@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/lanes.hpp"
-
 namespace cleave::solver {
 namespace {
 
@@ -12,97 +10,35 @@ using base::dot;
 using base::lane_count;
 using base::Lanes;
 
-constexpr double least_facing = 0.25;  // faces at more than 75 degrees do not push each other
-constexpr int most = 12;               // corners of a polygon
+constexpr double least_facing = 0.1;  // faces at more than 84 degrees do not push each other,
+constexpr double full_facing = 0.3;   // and fully at less than 73
+constexpr double flat = 0.996;        // less than 5 degrees: the depth is integrated,
+constexpr double poking = 0.95;       // more than 18: a corner or an edge meets the whole face,
+constexpr double grasp = 4.0;         // of a small shared area: this and one times as stiff
+constexpr double firm = 1.0;          // and this much stiffer than parallel faces
+constexpr int of_b = 4;               // edges of a have their number, those of b theirs and this,
+constexpr int of_depth = 8;           // and this is where the depth is that which counts as none
 
-struct Point {
-  double x, y;
+struct Ramp {
+  double value, slope;
 };
-double cross2(const Point& a, const Point& b, const Point& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+/// From 0 to 1 without a kink.
+Ramp ramp(double x, double from, double to) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return {t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (to - from)};
 }
 
-struct Polygon {
-  Point p[most];
-  int count = 0;
-  void add(const Point& q) {
-    if (count < most) p[count++] = q;
-  }
-  double area() const {
-    double sum = 0.0;
-    for (int i = 2; i < count; ++i) sum += cross2(p[0], p[i - 1], p[i]);
-    return 0.5 * sum;
-  }
-};
-
-/// Keeps where a linear function, given by its values at the corners, is not negative.
-template <class Value>
-Polygon cut(const Polygon& from, const Value& value) {
-  Polygon out;
-  for (int i = 0; i < from.count; ++i) {
-    const Point &p = from.p[i], &q = from.p[(i + 1) % from.count];
-    const double vp = value(p), vq = value(q);
-    if (vp >= 0.0) out.add(p);
-    if ((vp > 0.0 && vq < 0.0) || (vp < 0.0 && vq > 0.0)) {
-      const double t = vp / (vp - vq);
-      out.add({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
-    }
-  }
-  return out;
+double total(const Lanes& lanes) {
+  double sum = 0.0;
+  for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
+  return sum;
 }
-
-/// A face seen along the common normal.
-struct Shadow {
-  Point p[4];
-  double z[4];
-  int count;
-  double slope_x, slope_y, height;  // z = height + slope_x x + slope_y y of its plane
-  double plane(const Point& q) const { return height + slope_x * q.x + slope_y * q.y; }
-
-  /// Values of the corner functions at points of the face.
-  void weights(Lanes x, Lanes y, Lanes w[4]) const {
-    if (count == 3) {
-      const Lanes per_whole = 1.0 / cross2(p[0], p[1], p[2]);
-      const auto half = [&](const Point& a, const Point& b) {
-        return (Lanes(b.x - a.x) * (y - a.y) - Lanes(b.y - a.y) * (x - a.x)) * per_whole;
-      };
-      w[1] = half(p[2], p[0]);
-      w[2] = half(p[0], p[1]);
-      w[0] = Lanes(1.0) - w[1] - w[2];
-      w[3] = 0.0;
-      return;
-    }
-    Lanes r = 0.5, s = 0.5;
-    const Point e{p[1].x - p[0].x, p[1].y - p[0].y}, f{p[3].x - p[0].x, p[3].y - p[0].y};
-    const Point h{p[2].x - p[1].x - f.x, p[2].y - p[1].y - f.y};
-    const Lanes qx = x - p[0].x, qy = y - p[0].y;
-    for (int k = 0; k < 8; ++k) {  // Newton; one round for a parallelogram
-      const Lanes rs = r * s;
-      const Lanes dx = qx - r * e.x - s * f.x - rs * h.x, dy = qy - r * e.y - s * f.y - rs * h.y;
-      const Lanes a = s * h.x + e.x, b = r * h.x + f.x, c = s * h.y + e.y, d = r * h.y + f.y;
-      const Lanes det = a * d - b * c;
-      const Lanes inverse =
-          select(det > 0.0, Lanes(1.0) / det, select(det < 0.0, Lanes(1.0) / det, Lanes(0.0)));
-      const Lanes dr = (dx * d - dy * b) * inverse, ds = (dy * a - dx * c) * inverse;
-      r += dr;
-      s += ds;
-      if (!any(abs(dr) + abs(ds) >= 1e-14)) break;
-    }
-    r = max(min(r, Lanes(1.0)), Lanes(0.0));
-    s = max(min(s, Lanes(1.0)), Lanes(0.0));
-    const Lanes q = Lanes(1.0) - r, t = Lanes(1.0) - s;
-    w[0] = q * t;
-    w[1] = r * t;
-    w[2] = r * s;
-    w[3] = q * s;
-  }
-};
 
 /// The middles of the edges of a fan of triangles, with weights: exact to second degree. Lanes that are not
 /// needed have no weight and lie on the first corner.
 struct Quadrature {
   static constexpr int room = 24;  // the edges of a fan of most corners are 2 most - 3
-  static_assert(room >= 2 * most - 3 && room % lane_count == 0);
+  static_assert(room >= 2 * Polygon::most - 3 && room % lane_count == 0);
   alignas(64) double x[room], y[room], area[room];
   int count = 0;
 
@@ -112,36 +48,99 @@ struct Quadrature {
       y[count] = 0.5 * (a.y + b.y);
       area[count++] = weight;
     };
+    const Point* p = polygon.at;
     double last = 0.0;
     for (int i = 2; i < polygon.count; ++i) {
-      const double third = std::max(cross2(polygon.p[0], polygon.p[i - 1], polygon.p[i]) / 6.0, 0.0);
-      add(polygon.p[0], polygon.p[i - 1], last + third);
-      add(polygon.p[i - 1], polygon.p[i], third);
+      const double third = std::max(cross2(p[0], p[i - 1], p[i]) / 6.0, 0.0);
+      add(p[0], p[i - 1], last + third);
+      add(p[i - 1], p[i], third);
       last = third;
     }
-    add(polygon.p[0], polygon.p[polygon.count - 1], last);
-    while (count % lane_count != 0) add(polygon.p[0], polygon.p[0], 0.0);
+    add(p[0], p[polygon.count - 1], last);
+    while (count % lane_count != 0) add(p[0], p[0], 0.0);
+  }
+  /// The point in the middle of the edge from a corner to the next.
+  static int of_edge(const Polygon& polygon, int i) {
+    if (i == 0) return 0;
+    return i + 1 < polygon.count ? 2 * i - 1 : 2 * (polygon.count - 2);
   }
 };
 
-Shadow shadow(const Vector x[4], int count, const Vector& origin, const Vector& e1, const Vector& e2,
-              const Vector& n, const Vector& normal) {
+/// Integrals of a depth that is linear in each triangle of a fan: positive however much faces are warped.
+struct Cone {
+  static constexpr int room = 16;
+  static_assert(room >= Polygon::most && room % lane_count == 0);
+  alignas(64) double x[room], y[room];                      // the corners
+  alignas(64) double with_square[room], with_volume[room];  // changes of both integrals with their depths
+  double area = 0.0, volume = 0.0, square = 0.0;
+
+  Cone(const Polygon& polygon, const double* depth) {
+    for (int i = 0; i < room; ++i) {
+      x[i] = polygon.at[i < polygon.count ? i : 0].x;
+      y[i] = polygon.at[i < polygon.count ? i : 0].y;
+      with_square[i] = with_volume[i] = 0.0;
+    }
+    for (int i = 2; i < polygon.count; ++i) {
+      const int corner[3] = {0, i - 1, i};
+      const double part = std::max(0.5 * cross2(polygon.at[0], polygon.at[i - 1], polygon.at[i]), 0.0);
+      const double sum = depth[0] + depth[i - 1] + depth[i];
+      area += part;
+      volume += part * sum / 3.0;
+      for (const int c : corner) {
+        square += part / 12.0 * depth[c] * (sum + depth[c]);
+        with_square[c] += part / 6.0 * (sum + depth[c]);
+        with_volume[c] += part / 3.0;
+      }
+    }
+  }
+};
+
+/// Sums over points of the change with the gap times what the gap depends on.
+struct Gathered {
+  Lanes z[4] = {0.0, 0.0, 0.0, 0.0}, x[4] = {0.0, 0.0, 0.0, 0.0}, y[4] = {0.0, 0.0, 0.0, 0.0};
+
+  void add(const ShadowValue& v, Lanes with_gap) {
+    const Lanes sx = with_gap * v.slope_x, sy = with_gap * v.slope_y;
+    for (int c = 0; c < 4; ++c) {
+      z[c] += with_gap * v.w[c];
+      x[c] += sx * v.w[c];
+      y[c] += sy * v.w[c];
+    }
+  }
+  /// @param sign  1 where the gap grows with the height of the face
+  void give(double sign, ShadowChange& to) const {
+    double height[4], along_x[4], along_y[4];
+    for (int c = 0; c < 4; ++c) height[c] = total(z[c]), along_x[c] = total(x[c]), along_y[c] = total(y[c]);
+    to.add(sign, height, along_x, along_y);
+  }
+};
+
+/// The energy changes where an edge of a polygon moves outward with the line it lies on: by its density times
+/// the way, which is linear between the ends of the line (Simpson's rule).
+/// @param density  at the first corner, the middle and the second
+void move_edge(const Point& first, const Point& second, const double density[3], const Point& from,
+               const Point& to, Point& with_from, Point& with_to) {
+  const double lx = to.x - from.x, ly = to.y - from.y;
+  const double per = 1.0 / (lx * lx + ly * ly);
+  const double s = ((first.x - from.x) * lx + (first.y - from.y) * ly) * per;
+  const double t = ((second.x - from.x) * lx + (second.y - from.y) * ly) * per;
+  const double all = (density[0] + 4.0 * density[1] + density[2]) / 6.0;
+  const double at_to = (density[0] * s + 2.0 * density[1] * (s + t) + density[2] * t) / 6.0;
+  const double out_x = second.y - first.y, out_y = first.x - second.x;  // outward, times the length
+  with_to.x += at_to * out_x;
+  with_to.y += at_to * out_y;
+  with_from.x += (all - at_to) * out_x;
+  with_from.y += (all - at_to) * out_y;
+}
+
+Shadow shadow(const Vector x[4], const Vector& origin, const Vector& e1, const Vector& e2, const Vector& n) {
   Shadow out{};
-  out.count = count;
-  double mx = 0.0, my = 0.0, mz = 0.0;
   for (int i = 0; i < 4; ++i) {
     const Vector d = x[i] - origin;
     out.p[i] = {dot(d, e1), dot(d, e2)};
     out.z[i] = dot(d, n);
-    if (i >= count) continue;
-    mx += out.p[i].x / count;
-    my += out.p[i].y / count;
-    mz += out.z[i] / count;
   }
-  const double steep = dot(normal, n);
-  out.slope_x = -dot(normal, e1) / steep;
-  out.slope_y = -dot(normal, e2) / steep;
-  out.height = mz - out.slope_x * mx - out.slope_y * my;
+  out.count = x[2].x == x[3].x && x[2].y == x[3].y && x[2].z == x[3].z ? 3 : 4;
   return out;
 }
 
@@ -159,103 +158,293 @@ bool beside(const Shadow& a, const Shadow& b) {
   return low[0][0] > high[1][0] || low[1][0] > high[0][0] || low[0][1] > high[1][1] || low[1][1] > high[0][1];
 }
 
-/// Is the linear depth below zero at all corners?
-template <class Depth>
-bool before(const Shadow& face, const Depth& depth) {
-  for (int i = 0; i < face.count; ++i)
-    if (depth(face.p[i]) >= 0.0) return false;
-  return true;
-}
-
-bool same(const Vector& a, const Vector& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 }  // namespace
 
-bool overlap(const Vector a[4], const Vector b[4], Overlap& out, std::vector<SharedPoint>* whole) {
-  Vector na = cross(a[2] - a[0], a[3] - a[1]), nb = cross(b[2] - b[0], b[3] - b[1]);
-  const double la = norm(na), lb = norm(nb);
-  if (!(la > 0.0 && lb > 0.0)) return false;
-  na = (1.0 / la) * na;
-  nb = (1.0 / lb) * nb;
-  out.facing = -dot(na, nb);
-  if (out.facing <= least_facing) return false;
-  Vector n = nb - na;
-  n = (1.0 / norm(n)) * n;
+void turn_back(const Vector x[4], const Vector& unit, double size, const Vector& with_unit, double with_size,
+               Vector force[4]) {
+  const Vector with = (1.0 / size) * (with_unit - dot(with_unit, unit) * unit) + with_size * unit;
+  const Vector on2 = cross(x[3] - x[1], with), on3 = cross(with, x[2] - x[0]);
+  force[2] = force[2] - on2;
+  force[0] = force[0] + on2;
+  force[3] = force[3] - on3;
+  force[1] = force[1] + on3;
+}
+
+bool Overlap::share(const Vector a[4], const Vector b[4]) {
+  a_ = a;
+  b_ = b;
+  na_ = cross(a[2] - a[0], a[3] - a[1]);
+  nb_ = cross(b[2] - b[0], b[3] - b[1]);
+  la_ = norm(na_);
+  lb_ = norm(nb_);
+  if (!(la_ > 0.0 && lb_ > 0.0)) return false;
+  na_ = (1.0 / la_) * na_;
+  nb_ = (1.0 / lb_) * nb_;
+  facing_ = -dot(na_, nb_);
+  if (facing_ <= least_facing) return false;
+  n_ = nb_ - na_;
+  opening_ = norm(n_);
+  n_ = (1.0 / opening_) * n_;
   const Vector edge = b[1] - b[0];
-  Vector e1 = edge - dot(edge, n) * n;
-  e1 = (1.0 / norm(e1)) * e1;
-  const Vector e2 = cross(n, e1);
-  out.normal = n;
-
-  const int count_a = same(a[2], a[3]) ? 3 : 4, count_b = same(b[2], b[3]) ? 3 : 4;
-  const Shadow sa = shadow(a, count_a, b[0], e1, e2, n, na), sb = shadow(b, count_b, b[0], e1, e2, n, nb);
-
-  // Most pairs that are near each other lie beside each other, or a is before b everywhere.
-  if (beside(sa, sb)) return false;
-  const auto depth = [&](const Point& c) { return sb.plane(c) - sa.plane(c); };
-  if (!whole && (before(sa, depth) || before(sb, depth))) return false;
+  e1_ = edge - dot(edge, n_) * n_;
+  e1_ = (1.0 / norm(e1_)) * e1_;
+  e2_ = cross(n_, e1_);
+  sa_ = shadow(a, b[0], e1_, e2_, n_);
+  sb_ = shadow(b, b[0], e1_, e2_, n_);
+  if (beside(sa_, sb_)) return false;
 
   // Face a runs clockwise seen along the normal, face b counter-clockwise.
-  Polygon shared;
-  for (int i = count_a - 1; i >= 0; --i) shared.add(sa.p[i]);
-  for (int i = 0; i < count_b && shared.count >= 3; ++i) {
-    const Point &p = sb.p[i], &q = sb.p[(i + 1) % count_b];
-    shared = cut(shared, [&](const Point& c) { return cross2(p, q, c); });
+  shared_.count = 0;
+  for (int i = sa_.count - 1; i >= 0; --i) shared_.add(sa_.p[i], i > 0 ? i - 1 : sa_.count - 1);
+  for (int i = 0; i < sb_.count && shared_.count >= 3; ++i) {
+    const Point &p = sb_.p[i], &q = sb_.p[(i + 1) % sb_.count];
+    double v[Polygon::most];
+    for (int c = 0; c < shared_.count; ++c) v[c] = cross2(p, q, shared_.at[c]);
+    shared_ = shared_.cut(v, of_b + i);
   }
-  if (shared.count < 3) return false;
-  out.area = shared.area();
-  if (!(out.area > 1e-12 * std::min(la, lb))) return false;
-  const auto each_batch = [&](const Polygon& polygon, const auto& visit) {
-    const Quadrature points(polygon);
-    for (int i = 0; i < points.count; i += lane_count) {
-      Lanes wa[4], wb[4], gap = 0.0;
-      const Lanes x = Lanes::load(points.x + i), y = Lanes::load(points.y + i);
-      sa.weights(x, y, wa);
-      sb.weights(x, y, wb);
-      for (int c = 0; c < 4; ++c) gap += wb[c] * sb.z[c] - wa[c] * sa.z[c];
-      visit(Lanes::load(points.area + i), gap, wa, wb);
-    }
-  };
-  if (whole) {
-    each_batch(shared, [&](Lanes area, Lanes gap, const Lanes wa[4], const Lanes wb[4]) {
-      for (int lane = 0; lane < lane_count; ++lane) {
-        if (!(area[lane] > 0.0)) continue;
-        SharedPoint point{area[lane], gap[lane], {}, {}};
-        for (int c = 0; c < 4; ++c) point.wa[c] = wa[c][lane], point.wb[c] = wb[c][lane];
-        whole->push_back(point);
-      }
-    });
-    return !whole->empty();
-  }
-  const Polygon deep = cut(shared, depth);
-  if (deep.count < 3) return false;
+  if (shared_.count < 3) return false;
+  area_ = shared_.area();
+  if (!(area_ > 1e-12 * std::min(la_, lb_))) return false;
 
-  Lanes deep_area = 0.0, volume = 0.0, va[4] = {0.0, 0.0, 0.0, 0.0}, vb[4] = {0.0, 0.0, 0.0, 0.0};
-  each_batch(deep, [&](Lanes area, Lanes gap, const Lanes wa[4], const Lanes wb[4]) {
-    const Lanes some = area * max(gap, Lanes(0.0));
-    deep_area += area;
-    volume += some;
-    for (int c = 0; c < 4; ++c) {
-      va[c] += some * wa[c];
-      vb[c] += some * wb[c];
+  deepest_ = 0;
+  for (int k = 0; k * lane_count < shared_.count; ++k) {
+    Lanes x, y;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const int i = k * lane_count + lane;
+      const Point& at = shared_.at[i < shared_.count ? i : 0];
+      x.set(lane, at.x);
+      y.set(lane, at.y);
     }
-  });
-  const auto total = [](const Lanes& lanes) {
-    double sum = 0.0;
-    for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
-    return sum;
+    (sb_.at(x, y).z - sa_.at(x, y).z).store(gap_ + k * lane_count);
+  }
+  for (int i = 1; i < shared_.count; ++i)
+    if (gap_[i] > gap_[deepest_]) deepest_ = i;
+  return true;
+}
+
+double Overlap::penetration() const {
+  const auto along = [](const Vector x[4], const Shadow& shadow, int line) {
+    return x[(line + 1) % shadow.count] - x[line];
   };
+  double deepest = 0.0;
+  const double to_face = std::sqrt(0.5 * (1.0 + facing_));
+  for (int i = 0; i < shared_.count; ++i) {
+    if (!(gap_[i] > deepest)) continue;
+    const int one = shared_.edge[i > 0 ? i - 1 : shared_.count - 1], other = shared_.edge[i];
+    double square = to_face;
+    if ((one < of_b) != (other < of_b)) {
+      const Vector across =
+          cross(along(a_, sa_, one < of_b ? one : other), along(b_, sb_, (one < of_b ? other : one) - of_b));
+      const double size = norm(across);
+      if (size > 0.0) square = std::min(std::abs(dot(across, n_)) / size, to_face);
+    }
+    deepest = std::max(deepest, square * gap_[i]);
+  }
+  // How far each reaches over the edges of the other.
+  const auto over = [&](const Shadow& edges, const Shadow& face, double sign) {
+    for (int i = 0; i < edges.count; ++i) {
+      const Point &p = edges.p[i], &q = edges.p[(i + 1) % edges.count];
+      const double length = std::hypot(q.x - p.x, q.y - p.y);
+      double most = 0.0;
+      for (int c = 0; c < face.count; ++c) most = std::max(most, sign * cross2(p, q, face.p[c]));
+      if (length > 0.0) deepest = std::min(deepest, most / length);
+    }
+  };
+  over(sb_, sa_, 1.0);
+  over(sa_, sb_, -1.0);
+  return deepest;
+}
+
+void Overlap::weights_there(double wa[4], double wb[4]) const {
+  const Lanes x = shared_.at[deepest_].x, y = shared_.at[deepest_].y;
+  const ShadowValue a = sa_.at(x, y), b = sb_.at(x, y);
+  for (int c = 0; c < 4; ++c) wa[c] = a.w[c][0], wb[c] = b.w[c][0];
+}
+
+bool Overlap::push(const Springs& springs, double offset, Push& out) {
+  if (!(deepest() > offset)) return false;
+  double above[Polygon::most], at_corner[Polygon::most];
+  int from[Polygon::most];
+  for (int i = 0; i < shared_.count; ++i) above[i] = gap_[i] - offset;
+  const Polygon deep = shared_.cut(above, of_depth, from);
+  if (deep.count < 3) return false;
+  for (int i = 0; i < deep.count; ++i) at_corner[i] = from[i] < 0 ? 0.0 : std::max(above[from[i]], 0.0);
+
+  const Quadrature points(deep);
+  constexpr int most = Quadrature::room / lane_count;
+  ShadowValue at_a[most], at_b[most];
+  alignas(64) double gap[Quadrature::room];
+  Lanes deep_area = 0.0, volume = 0.0, square = 0.0;
+  const int count = points.count / lane_count;
+  for (int k = 0; k < count; ++k) {
+    const Lanes x = Lanes::load(points.x + k * lane_count), y = Lanes::load(points.y + k * lane_count);
+    at_a[k] = sa_.at(x, y);
+    at_b[k] = sb_.at(x, y);
+    const Lanes g = max(at_b[k].z - at_a[k].z - offset, Lanes(0.0));
+    const Lanes area = Lanes::load(points.area + k * lane_count);
+    g.store(gap + k * lane_count);
+    deep_area += area;
+    volume += area * g;
+    square += area * (g * g);
+  }
   out.deep_area = total(deep_area);
   out.volume = total(volume);
-  if (!(out.volume > 0.0)) return false;
-  const double per_volume = 1.0 / out.volume;
-  for (int c = 0; c < 4; ++c) {
-    out.wa[c] = total(va[c]) * per_volume;
-    out.wb[c] = total(vb[c]) * per_volume;
+
+  // Where the faces are parallel: half the integral of g^2, and more by its mean over the shared polygon.
+  // Where a corner or an edge pokes: that of a depth d = (integral of g^2) / (integral of g) over as much as
+  // a whole face, unless they share hardly anything.
+  const Cone cone(deep, at_corner);
+  if (!(cone.volume > 0.0)) return false;
+  const double squares = total(square), mean = squares / area_, d = cone.square / cone.volume;
+  const double harder = springs.hardening, poke_harder = springs.poke_hardening;
+  const double share = 1.0 / (1.0 + grasp * area_ / springs.smaller_area);
+  const double poke_area = firm * (1.0 + grasp) * area_ * share;
+  const double flat_energy = 0.5 * squares * (1.0 + 0.5 * harder * mean);
+  const double poke_energy = 0.5 * poke_area * d * d * (1.0 + 0.5 * poke_harder * d * d);
+  Ramp fade = ramp(facing_, least_facing, full_facing);
+  const double stretch = 2.0 * springs.area / la_;
+  fade.value *= stretch;
+  fade.slope *= stretch;
+  const Ramp pokes = ramp(-facing_, -flat, -poking);
+  const double mixed = flat_energy + pokes.value * (poke_energy - flat_energy);
+  out.energy = fade.value * mixed;
+  const double of_flat = fade.value * (1.0 - pokes.value), of_poke = fade.value * pokes.value;
+  const double with_square = 0.5 * of_flat * (1.0 + harder * mean);
+  const double with_area =
+      0.5 * of_poke * firm * (1.0 + grasp) * share * share * d * d * (1.0 + 0.5 * poke_harder * d * d) -
+      0.25 * of_flat * harder * mean * mean;
+  const double with_d = of_poke * poke_area * d * (1.0 + poke_harder * d * d) / cone.volume;  // per volume
+  const double with_facing = fade.slope * mixed - fade.value * pokes.slope * (poke_energy - flat_energy);
+
+  Gathered on_a, on_b;
+  Lanes normal = 0.0;
+  for (int k = 0; k < count; ++k) {
+    const Lanes with_gap =
+        (2.0 * with_square) * Lanes::load(points.area + k * lane_count) * Lanes::load(gap + k * lane_count);
+    on_a.add(at_a[k], with_gap);
+    on_b.add(at_b[k], with_gap);
+    normal += with_gap;
   }
+  if (of_poke > 0.0)
+    for (int k = 0; k * lane_count < deep.count; ++k) {
+      const Lanes x = Lanes::load(cone.x + k * lane_count), y = Lanes::load(cone.y + k * lane_count);
+      const Lanes with_gap = with_d * (Lanes::load(cone.with_square + k * lane_count) -
+                                       d * Lanes::load(cone.with_volume + k * lane_count));
+      on_a.add(sa_.at(x, y), with_gap);
+      on_b.add(sb_.at(x, y), with_gap);
+      normal += with_gap;
+    }
+  out.normal = total(normal);
+  const double along = 2.0 - d * cone.area / cone.volume;  // by how much d grows with the depth
+  // The edges of what they share stiffen it as well: they pull by the square of the depth.
+  double around = 0.0;
+  for (int i = 0; i < shared_.count; ++i) {
+    const Point &p = shared_.at[i], &q = shared_.at[shared_.next(i)];
+    around += std::hypot(q.x - p.x, q.y - p.y);
+  }
+  out.rate = of_flat * (out.deep_area * (1.0 + 3.0 * harder * mean) + around * d) +
+             of_poke * (poke_area * along * along + firm * (1.0 + grasp) * share * share * around * d) *
+                 (1.0 + 3.0 * poke_harder * d * d);
+  const double per_normal = out.normal > 0.0 ? 1.0 / out.normal : 0.0;
+  for (int c = 0; c < 4; ++c) {
+    out.wa[c] = total(on_a.z[c]) * per_normal;
+    out.wb[c] = total(on_b.z[c]) * per_normal;
+  }
+
+  ShadowChange a, b;
+  on_a.give(-1.0, a);
+  on_b.give(1.0, b);
+  const auto edge = [&](const Polygon& polygon, int i, const double density[3]) {
+    const int line = polygon.edge[i];
+    const Shadow& face = line < of_b ? sa_ : sb_;
+    ShadowChange& change = line < of_b ? a : b;
+    const int one = line % of_b, other = (one + 1) % face.count;
+    move_edge(polygon.at[i], polygon.at[polygon.next(i)], density, face.p[one], face.p[other], change.p[one],
+              change.p[other]);
+  };
+  for (int i = 0; i < deep.count; ++i) {
+    if (deep.edge[i] == of_depth) continue;
+    const double from_here = at_corner[i], to_there = at_corner[deep.next(i)];
+    const auto density = [&](double g, double linear) {
+      return with_square * g * g + with_d * linear * (linear - d);
+    };
+    const double at[3] = {density(from_here, from_here),
+                          density(gap[Quadrature::of_edge(deep, i)], 0.5 * (from_here + to_there)),
+                          density(to_there, to_there)};
+    edge(deep, i, at);
+  }
+  const double whole[3] = {with_area, with_area, with_area};
+  if (with_area != 0.0)
+    for (int i = 0; i < shared_.count; ++i) edge(shared_, i, whole);
+  balance(a, b);
+  to_corners(a, b, with_facing, -out.energy / la_, out);
   return true;
+}
+
+/// The forces across the normal balance as far as the quadrature is exact; this takes away what is left.
+void Overlap::balance(ShadowChange& a, ShadowChange& b) const {
+  Point sum, middle;
+  const auto each = [&](const auto& visit) {
+    for (int c = 0; c < 4; ++c) {
+      visit(sa_.p[c], a.p[c]);
+      visit(sb_.p[c], b.p[c]);
+    }
+  };
+  each([&](const Point& at, const Point& change) {
+    sum.x += change.x;
+    sum.y += change.y;
+    middle.x += 0.125 * at.x;
+    middle.y += 0.125 * at.y;
+  });
+  double moment = 0.0, square = 0.0;
+  each([&](const Point& at, Point& change) {
+    change.x -= 0.125 * sum.x;
+    change.y -= 0.125 * sum.y;
+    const double x = at.x - middle.x, y = at.y - middle.y;
+    moment += x * change.y - y * change.x;
+    square += x * x + y * y;
+  });
+  const double turn = moment / square;
+  each([&](const Point& at, Point& change) {
+    change.x += turn * (at.y - middle.y);
+    change.y -= turn * (at.x - middle.x);
+  });
+}
+
+void Overlap::to_corners(const ShadowChange& a, const ShadowChange& b, double with_facing, double with_la,
+                         Push& out) const {
+  double turn1 = 0.0, turn2 = 0.0;  // the change with the normal along e1 and e2
+  const auto place = [&](const Shadow& shadow, const ShadowChange& with, Vector to[4]) {
+    for (int c = 0; c < 4; ++c) {
+      to[c] = -1.0 * (with.p[c].x * e1_ + with.p[c].y * e2_ + with.z[c] * n_);
+      turn1 += shadow.p[c].x * with.z[c] - shadow.z[c] * with.p[c].x;
+      turn2 += shadow.p[c].y * with.z[c] - shadow.z[c] * with.p[c].y;
+    }
+  };
+  place(sa_, a, out.on_a);
+  place(sb_, b, out.on_b);
+  const Vector mean = (1.0 / opening_) * (turn1 * e1_ + turn2 * e2_);
+  turn_back(a_, na_, la_, -1.0 * (mean + with_facing * nb_), with_la, out.on_a);
+  turn_back(b_, nb_, lb_, mean - with_facing * na_, 0.0, out.on_b);
+  for (Vector* on : {sa_.count == 3 ? out.on_a : nullptr, sb_.count == 3 ? out.on_b : nullptr})
+    if (on) {
+      on[2] = on[2] + on[3];
+      on[3] = {0, 0, 0};
+    }
+}
+
+void Overlap::points(std::vector<SharedPoint>& out) const {
+  const Quadrature points(shared_);
+  for (int from = 0; from < points.count; from += lane_count) {
+    const Lanes x = Lanes::load(points.x + from), y = Lanes::load(points.y + from);
+    const ShadowValue a = sa_.at(x, y), b = sb_.at(x, y);
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (!(points.area[from + lane] > 0.0)) continue;
+      SharedPoint point{points.area[from + lane], b.z[lane] - a.z[lane], {}, {}};
+      for (int c = 0; c < 4; ++c) point.wa[c] = a.w[c][lane], point.wb[c] = b.w[c][lane];
+      out.push_back(point);
+    }
+  }
 }
 
 }  // namespace cleave::solver

@@ -1,4 +1,4 @@
-/// Faces against faces (SOFT 2): a pressure in proportion to the depth, over the polygon two faces share.
+/// Faces against faces (SOFT 2): the forces of an energy of the polygon that two faces share.
 
 #include <algorithm>
 #include <memory>
@@ -6,6 +6,7 @@
 #include "solver/contact/candidates.hpp"
 #include "solver/contact/finders.hpp"
 #include "solver/contact/gate.hpp"
+#include "solver/contact/neighbours.hpp"
 #include "solver/contact/overlap.hpp"
 
 namespace cleave::solver {
@@ -16,11 +17,9 @@ constexpr double reach_depth = 0.5;  // of the mean thickness of both: deeper is
 constexpr double keep_depth = 1.0;
 constexpr double stiffer = 4.0;  // than a node's spring; the step of the elements leaves room for it
 
-constexpr double hard_depth = 0.25;  // of the mean thickness: there the stiffness is twice that at the start
-
-double ramp(double value, double from, double to) {
-  return std::clamp((value - from) / (to - from), 0.0, 1.0);
-}
+constexpr double hard_depth = 0.1;    // of the mean thickness: there the pressure is twice e times the depth
+constexpr double poke_depth = 0.1;    // the same where a corner or an edge pokes
+constexpr double from_outside = 0.2;  // of the depth a step later, below which sides met from outside
 
 class SegmentFinder final : public Finder {
  public:
@@ -62,7 +61,7 @@ class SegmentFinder final : public Finder {
   const Face& face_a(std::int32_t number) const { return a_->faces()[static_cast<std::size_t>(number)]; }
 
   static bool joined(const Face& one, const Face& other) {
-    if (one.element == other.element) return true;
+    if (one.element == other.element || (one.rigid && one.part == other.part)) return true;
     for (const Index node : one.node)
       if (std::find(other.node.begin(), other.node.end(), node) != other.node.end()) return true;
     return false;
@@ -92,6 +91,18 @@ class SegmentFinder final : public Finder {
     for (Vector& at : x) at = at + (face.offset / size) * normal;
   }
 
+  /// From forces on the corners of the surface to those on the nodes.
+  static void to_nodes(const Moment& now, const Face& face, Vector (&force)[4]) {
+    if (face.offset == 0.0) return;
+    const Vector normal = area_normal(face, now.position);
+    const double size = norm(normal);
+    if (!(size > 0.0)) return;
+    Vector x[4];
+    for (std::size_t i = 0; i < 4; ++i) x[i] = vector_at(now.position, face.node[i]);
+    const Vector sum = force[0] + force[1] + force[2] + force[3];
+    turn_back(x, (1.0 / size) * normal, 2.0 * size, -face.offset * sum, 0.0, force);
+  }
+
   void look(const Moment& now, const Past& past, std::int32_t f, std::span<const std::int32_t> near,
             std::vector<Touch>& out) const {
     Vector x[4];
@@ -100,13 +111,17 @@ class SegmentFinder final : public Finder {
     for (std::size_t from = 0; from < near.size(); from += base::lane_count) {
       const std::size_t count = std::min<std::size_t>(base::lane_count, near.size() - from);
       Gate::Corners y;
+      base::Lanes limit;
       for (std::size_t lane = 0; lane < base::lane_count; ++lane) {
         const Face& other = face(near[from + std::min(lane, count - 1)]);
         Vector corner[4];
         corners(now, other, corner);
         for (std::size_t i = 0; i < 4; ++i) y.set(i, lane, corner[i]);
+        limit.set(
+            static_cast<int>(lane),
+            keep_depth * 0.5 * (face_a(f).thickness + other.thickness + face_a(f).offset + other.offset));
       }
-      const base::Mask may = gate.open(y);
+      const base::Mask may = gate.open(y, limit);
       for (std::size_t lane = 0; lane < count; ++lane)
         if (may[static_cast<int>(lane)]) press(now, past, f, near[from + lane], x, y.face(lane), out);
     }
@@ -116,38 +131,76 @@ class SegmentFinder final : public Finder {
              const std::array<Vector, 4>& y, std::vector<Touch>& out) const {
     const Face &one = face_a(f), &other = face(g);
     Overlap shared;
-    if (!overlap(x, y.data(), shared)) return;
+    if (!shared.meet(x, y.data())) return;
     Touch touch;
+    touch.faces = true;
     touch.key[0] = f;
     touch.key[1] = g;
     for (std::size_t i = 0; i < 4; ++i) {
       touch.a[i] = one.node[i];
-      touch.wa[i] = shared.wa[i];
       touch.b[i] = other.node[i];
-      touch.wb[i] = shared.wb[i];
     }
-    touch.normal = shared.normal;
+    shared.weights_there(touch.wa, touch.wb);
+    touch.normal = shared.normal();
     touch.face = g;
-    touch.depth = shared.volume / shared.deep_area;
-    touch.area = shared.deep_area;
+    touch.depth = shared.deepest();
     const double thick = 0.5 * (one.thickness + other.thickness);
     if (touch.depth > release_depth(contact_, thick)) return;
-    // Behind the middle of a shell is its other side.
-    const double reach = one.shell || other.shell ? one.offset + other.offset : reach_depth * thick;
-    if (touch.depth > reach) {
-      const double came =
-          -touch.depth - base::dot(relative(touch, now.velocity), touch.normal) * now.step_before;
-      if (came < 0.0 && !past.find(touch.key)) return;
+    if (const Remembered* old = past.find(touch.key)) {
+      touch.offset = old->offset == out_of_reach ? out_of_reach : std::min(old->offset, touch.depth);
+    } else {
+      const double before =
+          touch.depth + base::dot(relative(touch, now.velocity), touch.normal) * now.step_before;
+      // Behind the middle of a shell is its other side.
+      const double reach = one.shell || other.shell ? one.offset + other.offset : reach_depth * thick;
+      if (before > 0.0 && touch.depth > reach) return;
+      if (now.step_before == 0.0)
+        touch.offset = touch.depth;  // what penetrates at the start counts as touching
+      else if (before > from_outside * touch.depth)
+        touch.offset = from_side(now, past, f, g, touch.depth);
     }
-    const double of_a = factor_a_ * one.stiffness / one.area, of_b = factor_b_ * other.stiffness / other.area;
-    const double pressure = rule_ == 2 ? of_b : rule_ == 3 ? of_a : std::min(of_a, of_b);  // per depth
-    // A corner or an edge that pokes covers little area: it gets the stiffness of the area it would cover.
-    touch.pokes = 1.0 - ramp(shared.facing, 0.94, 0.995);
-    touch.cover = std::min(shared.area / shared.deep_area, 100.0);
-    touch.fade = ramp(shared.facing, 0.25, 0.5);
-    touch.stiffness = pressure * shared.deep_area;
-    touch.hardening = 1.0 / (hard_depth * hard_depth * thick * thick);
+    const Springs springs{one.area, std::min(one.area, other.area),
+                          1.0 / (hard_depth * hard_depth * thick * thick),
+                          1.0 / (poke_depth * poke_depth * thick * thick)};
+    Push push;
+    if (touch.offset < touch.depth && shared.push(springs, touch.offset, push)) {
+      const double of_a = factor_a_ * one.stiffness / one.area,
+                   of_b = factor_b_ * other.stiffness / other.area;
+      const double pressure = rule_ == 2 ? of_b : rule_ == 3 ? of_a : std::min(of_a, of_b);  // per depth
+      touch.area = push.deep_area;
+      touch.push = pressure * push.normal;
+      touch.stiffness = pressure * push.rate;
+      for (std::size_t i = 0; i < 4; ++i) {
+        touch.wa[i] = push.wa[i];
+        touch.wb[i] = push.wb[i];
+        touch.on_a[i] = pressure * push.on_a[i];
+        touch.on_b[i] = pressure * push.on_b[i];
+      }
+      to_nodes(now, one, touch.on_a);
+      to_nodes(now, other, touch.on_b);
+    } else {
+      for (std::size_t i = 0; i < 4; ++i) touch.on_a[i] = touch.on_b[i] = {0, 0, 0};
+    }
+    touch.penetration = shared.penetration();
     out.push_back(touch);
+  }
+
+  /// The depth that counts as none for a pair that comes to lie behind each other from the side. Its energy
+  /// grows from zero with the area they share, whatever is decided here, and stays with the pair until they
+  /// part. Sliding bodies hand their pressure from face to face. Where none around pushes, the pair is the
+  /// far side of a wedge or of a corner and does not push either.
+  double from_side(const Moment& now, const Past& past, std::int32_t f, std::int32_t g, double depth) const {
+    if (contact_.eroding) {  // or it was laid bare where it is
+      Vector x[4], y[4];
+      corners_before(now, face_a(f), x);
+      corners_before(now, face(g), y);
+      if (Overlap().meet(x, y)) return depth;
+    }
+    return handed_on(past, *a_, *b_, f, g, depth);
+  }
+  static void corners_before(const Moment& now, const Face& face, Vector (&x)[4]) {
+    corners(now, face, x);
+    for (std::size_t i = 0; i < 4; ++i) x[i] = x[i] - now.step_before * vector_at(now.velocity, face.node[i]);
   }
 
   std::shared_ptr<Surface> a_, b_;

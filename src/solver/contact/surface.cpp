@@ -183,6 +183,7 @@ void Surface::add_shell(const model::Contact& contact, std::size_t g, std::size_
   face.node = {side.node[0], side.node[1], side.node[2], side.node[3]};
   face.element = group.id[e];
   face.part = group.part[e];
+  face.rigid = static_cast<bool>(world_.model->parts[static_cast<std::size_t>(face.part)].rigid);
   face.owner = number(-group.id[e]);
   face.shell = true;
   const int rule = model.control.contact.shell_thickness;
@@ -210,6 +211,7 @@ void Surface::add_face(const Segment& segment, const Side& side, std::int32_t tw
   face.node = {segment.node[0], segment.node[1], segment.node[2], segment.node[3]};
   face.element = group.id[e];
   face.part = group.part[e];
+  face.rigid = static_cast<bool>(world_.model->parts[static_cast<std::size_t>(face.part)].rigid);
   face.owner = number(group.id[e]);
   face.twin = twin;
   std::array<model::Corner, 10> corner;

@@ -31,6 +31,7 @@ struct Face {
   double area = 0.0;        ///< at the start [length^2]
   std::int32_t owner = -1;  ///< element it belongs to, by number
   std::int32_t twin = -1;   ///< face of the element on the other side; -1 none
+  bool rigid = false;       ///< of a part that does not deform
   bool shell = false;       ///< a side of a shell: there is another one on the same nodes
   double offset = 0.0;      ///< of the surface from the nodes along the normal: half the shell [length]
 

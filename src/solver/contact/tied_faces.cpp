@@ -69,7 +69,7 @@ class TiedFaces final : public Interaction {
       for (std::size_t i = begin; i < end; ++i) {
         Touch& touch = springs_[i].touch;
         pull(now, springs_[i]);
-        balanced.add(touch, touch.pressure);
+        balanced.add(touch);
       }
       largest[begin / grain] = balanced.largest();
     });
@@ -126,7 +126,7 @@ class TiedFaces final : public Interaction {
 
   void add_nodal(std::span<double> force) const override {
     for (const Spring& spring : springs_)
-      if (active_) add_touch(spring.touch, spring.touch.pressure, force);
+      if (active_) add_touch(spring.touch, force);
   }
   /// Ties keep their distance: there is no gap to tell.
   void add_fields(const Moment& now, ContactFields& fields) override {
@@ -228,7 +228,8 @@ std::unique_ptr<Interaction> make_tied_faces(const discretisation::World& world,
       corners(other, y);
       Overlap shared;
       std::vector<SharedPoint> points;
-      if (!overlap(x, y, shared, &points)) continue;
+      if (!shared.share(x, y)) continue;
+      shared.points(points);
       const double modulus = stiffer * model.control.contact.stiffness *
                              std::min(contact.scale_a * one.stiffness / one.area,
                                       contact.scale_b * other.stiffness / other.area);

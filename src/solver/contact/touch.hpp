@@ -7,24 +7,37 @@
 namespace cleave::solver {
 
 /// The force acts on the nodes a by the weights wa and, with the other sign, on the nodes b by wb; each set
-/// of weights sums to 1.
+/// of weights sums to 1. The pressure between two faces has a part for each corner.
 struct Touch {
   std::int64_t key[2];  ///< who touches whom, to find again what was remembered
   Index a[4], b[4];     ///< unused ones have weight 0
   double wa[4], wb[4];
-  Vector normal;           ///< unit, from b to a
-  double depth = 0.0;      ///< how deep a is in b [length]
-  double hardening = 0.0;  ///< the force is stiffness depth (1 + hardening depth^2) [1/length^2]
-  double stiffness = 0.0;  ///< [force/length]
-  // Faces: the stiffness is multiplied by fade (1 + pokes (cover - 1)).
-  double cover = 1.0;      ///< area of the shared polygon over that of its part behind
-  double pokes = 0.0;      ///< 0 where the faces are parallel, 1 where a corner or an edge pokes
-  double fade = 1.0;       ///< 0 where they hardly look at each other
-  double area = 0.0;       ///< [length^2]
-  std::int32_t face = -1;  ///< of side b, for messages
-  bool reverse = false;    ///< a is on side B of the card
+  Vector normal;             ///< unit, from b to a
+  double depth = 0.0;        ///< how deep a is in b [length]
+  double stiffness = 0.0;    ///< [force/length]
+  double area = 0.0;         ///< [length^2]
+  std::int32_t face = -1;    ///< of side b, for messages
+  bool reverse = false;      ///< a is on side B of the card
+  bool faces = false;        ///< two faces: what follows was set by the finder
+  double offset = 0.0;       ///< depth that counts as none; `out_of_reach`: the pair does not push [length]
+  double penetration = 0.0;  ///< as depth, but square to what lies there [length]
+  double push = 0.0;         ///< the pressure along the normal [force]
+  Vector on_a[4], on_b[4];   ///< its parts [force]
   Vector pressure{0, 0, 0}, friction{0, 0, 0}, viscous{0, 0, 0};  ///< forces on a, filled in later [force]
 };
+
+/// An offset deeper than anything.
+inline constexpr double out_of_reach = 1e300;
+
+/// What acts on a corner of side a, and of side b [force].
+inline Vector force_on_a(const Touch& touch, int k) {
+  if (!touch.faces) return touch.wa[k] * (touch.pressure + touch.friction + touch.viscous);
+  return touch.on_a[k] + touch.wa[k] * (touch.friction + touch.viscous);
+}
+inline Vector force_on_b(const Touch& touch, int k) {
+  if (!touch.faces) return -touch.wb[k] * (touch.pressure + touch.friction + touch.viscous);
+  return touch.on_b[k] - touch.wb[k] * (touch.friction + touch.viscous);
+}
 
 /// Velocity of a relative to b [length/time].
 inline Vector relative(const Touch& touch, std::span<const double> velocity) {
@@ -36,13 +49,23 @@ inline Vector relative(const Touch& touch, std::span<const double> velocity) {
   return v;
 }
 
+/// Sum of the parts of the pressure times a field of the nodes, as velocity.
+inline double pressure_dot(const Touch& touch, std::span<const double> field) {
+  if (!touch.faces) return base::dot(touch.pressure, relative(touch, field));
+  double sum = 0.0;
+  for (int k = 0; k < 4; ++k)
+    sum += base::dot(touch.on_a[k], vector_at(field, touch.a[k])) +
+           base::dot(touch.on_b[k], vector_at(field, touch.b[k]));
+  return sum;
+}
+
 /// What an interface remembers of a touch.
 struct Remembered {
   double key[2];
-  double friction[3];  ///< last friction force on a [force]
-  double offset;       ///< depth that counts as none; 1e300: the pair does not push [length]
-  double depth;        ///< of the last step [length]
-  double pokes, fade;  ///< the largest while it was pressed
+  double friction[3];   ///< last friction force on a [force]
+  double offset;        ///< as Touch::offset [length]
+  double depth;         ///< as Touch::depth [length]
+  double unused = 0.0;  ///< room, so that the width is even
 };
 
 /// The touches of the step before, sorted by key.
@@ -61,7 +84,15 @@ class Past {
       return nullptr;
     return &*at;
   }
-  std::span<const Remembered> all() const { return list_; }
+  /// Those whose first key is the given one.
+  std::span<const Remembered> of(std::int64_t first) const {
+    const auto key = static_cast<double>(first);
+    const auto from = std::lower_bound(list_.begin(), list_.end(), key,
+                                       [](const Remembered& r, double k) { return r.key[0] < k; });
+    auto to = from;
+    while (to != list_.end() && to->key[0] == key) ++to;
+    return {from, to};
+  }
 
  private:
   std::span<const Remembered> list_;

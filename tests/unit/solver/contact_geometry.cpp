@@ -76,56 +76,199 @@ TEST(ContactClosest, InsideOnEdgesAndOnCorners) {
     EXPECT_NEAR(c.weight[0] + c.weight[1] + c.weight[2] + c.weight[3], 1.0, 1e-15);
 }
 
-// A square that lies parallel behind another, half over it: area 1/2, volume depth / 2, and the shares of the
-// corners are the integrals of the bilinear functions.
+// A square that lies parallel behind another, half over it: area 1/2, volume depth / 2, energy depth^2 / 4,
+// and the shares of the corners are the integrals of the bilinear functions. Along the plane the edge of each
+// is drawn away from the other by the energy of its length.
 TEST(ContactOverlap, HalfCoveredSquares) {
   const Vector above[4] = {{0.5, 0, -0.1}, {0.5, 1, -0.1}, {1.5, 1, -0.1}, {1.5, 0, -0.1}};  // looks down
   Overlap o;
-  ASSERT_TRUE(overlap(above, square, o));
-  EXPECT_NEAR(o.facing, 1.0, 1e-15);
-  EXPECT_NEAR(o.area, 0.5, 1e-15);
-  EXPECT_NEAR(o.deep_area, 0.5, 1e-15);
-  EXPECT_NEAR(o.volume, 0.05, 1e-15);
-  EXPECT_NEAR(o.wb[0], 0.125, 1e-14);  // the far corners of b: mean of 1 - x over the right half, halved
-  EXPECT_NEAR(o.wb[1], 0.375, 1e-14);
-  EXPECT_NEAR(o.wa[0], 0.375, 1e-14);
-  EXPECT_NEAR(o.wa[3], 0.125, 1e-14);
+  Push push;
+  ASSERT_TRUE(o.meet(above, square));
+  ASSERT_TRUE(o.push({1.0, 1.0, 0.0, 0.0}, 0.0, push));
+  EXPECT_NEAR(o.facing(), 1.0, 1e-15);
+  EXPECT_NEAR(o.area(), 0.5, 1e-15);
+  EXPECT_NEAR(o.deepest(), 0.1, 1e-15);
+  EXPECT_NEAR(push.deep_area, 0.5, 1e-15);
+  EXPECT_NEAR(push.volume, 0.05, 1e-15);
+  EXPECT_NEAR(push.energy, 0.0025, 1e-15);
+  EXPECT_NEAR(push.normal, 0.05, 1e-15);
+  EXPECT_NEAR(push.wb[0], 0.125, 1e-14);  // the far corners of b: mean of 1 - x over the right half, halved
+  EXPECT_NEAR(push.wb[1], 0.375, 1e-14);
+  EXPECT_NEAR(push.wa[0], 0.375, 1e-14);
+  EXPECT_NEAR(push.wa[3], 0.125, 1e-14);
+  Vector sum{0, 0, 0};
+  for (const Vector& f : push.on_a) sum = sum + f;
+  EXPECT_NEAR(sum.x, 0.005, 1e-15);  // 0.1^2 / 2 over a length of 1
+  EXPECT_NEAR(sum.y, 0.0, 1e-15);
+  EXPECT_NEAR(sum.z, 0.05, 1e-15);
   const Vector clear[4] = {{0.5, 0, 0.1}, {0.5, 1, 0.1}, {1.5, 1, 0.1}, {1.5, 0, 0.1}};
-  EXPECT_FALSE(overlap(clear, square, o));
+  EXPECT_FALSE(o.meet(clear, square));
   const Vector up[4] = {{0.5, 0, -0.1}, {1.5, 0, -0.1}, {1.5, 1, -0.1}, {0.5, 1, -0.1}};  // looks away
-  EXPECT_FALSE(overlap(up, square, o));
+  EXPECT_FALSE(o.meet(up, square));
 }
 
-// Centre of pressure of both sides on one line along the normal: no moment.
-TEST(ContactOverlap, ForcesAreInLine) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> shift(-0.15, 0.15);
-  int met = 0;
-  for (int trial = 0; trial < 200; ++trial) {
-    Vector a[4] = {{0.4, 0.1, -0.1}, {0.4, 1.1, -0.1}, {1.4, 1.1, -0.1}, {1.4, 0.1, -0.1}}, b[4];
+/// Two faces at random angles that may overlap.
+struct TwoFaces {
+  Vector a[4], b[4];
+  enum Kind { plane, triangles, warped };
+  TwoFaces(std::mt19937& random, Kind kind, double tilt) {
+    std::uniform_real_distribution<double> shift(-0.15, 0.15), far(-0.6, 0.6);
+    const Vector by{far(random), far(random), 0.1 + shift(random)};
+    const double u = tilt * far(random), v = tilt * far(random), s = far(random), t = far(random);
+    const Vector flat[4] = {{0, 0, -0.1}, {0, 1, -0.1}, {1, 1, -0.1}, {1, 0, -0.1}};
+    const double warp = kind == warped ? 0.3 : 0.0;
     for (int i = 0; i < 4; ++i) {
-      a[i] = a[i] + Vector{shift(random), shift(random), shift(random)};
-      b[i] = square[i] + Vector{shift(random), shift(random), shift(random)};
+      const Vector p = flat[i] + Vector{shift(random), shift(random), 0.0};
+      const Vector q = square[i] + Vector{shift(random), shift(random), 0.0};
+      a[i] = p + by + Vector{0, 0, u * (p.x - 0.5) + v * (p.y - 0.5) + warp * shift(random)};
+      b[i] = q + Vector{0, 0, s * (q.x - 0.5) + t * (q.y - 0.5) + warp * shift(random)};
     }
-    Overlap o;
-    if (!overlap(a, b, o)) continue;
-    ++met;
-    Vector apart{0, 0, 0};
-    for (int i = 0; i < 4; ++i) apart = apart + o.wa[i] * a[i] - o.wb[i] * b[i];
-    EXPECT_LT(norm(base::cross(apart, o.normal)), 1e-12);
+    if (kind == triangles) a[3] = a[2], b[3] = b[2];
   }
-  EXPECT_GT(met, 100);
+};
+
+// The forces are the gradient of the energy, against differences, with and without an offset, for faces
+// parallel and inclined, cut by each other's edges and by the depth: for each corner of triangles; for
+// motions of plane quadrilaterals as rigid bodies, and for each of their corners and those of warped ones to
+// the order of the quadrature.
+TEST(ContactOverlap, ForcesAreTheGradientOfTheEnergy) {
+  std::mt19937 random(3);
+  int met = 0, tilted = 0, kinks = 0, all = 0;
+  double worst[3] = {0.0, 0.0, 0.0}, sum = 0.0;
+  int warped = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const auto kind = static_cast<TwoFaces::Kind>(trial % 3);
+    TwoFaces faces(random, kind, trial % 2 == 0 ? 0.3 : 2.5);
+    const double offset = trial % 5 == 0 ? 0.02 : 0.0;
+    const Springs springs{0.8, 0.7, 30.0, 100.0};
+    Overlap o;
+    Push push;
+    if (!o.meet(faces.a, faces.b) || !o.push(springs, offset, push)) continue;
+    ++met;
+    if (o.facing() < 0.9) ++tilted;
+    double largest = 0.0;
+    for (int i = 0; i < 4; ++i) largest = std::max({largest, norm(push.on_a[i]), norm(push.on_b[i])});
+    /// Energy after a motion of one face; the difference quotient against minus the work of the forces.
+    const auto compare = [&](bool of_a, const Vector way[4]) {
+      const auto at = [&](double by) {
+        TwoFaces moved = faces;
+        for (int i = 0; i < 4; ++i)
+          (of_a ? moved.a : moved.b)[i] = (of_a ? faces.a : faces.b)[i] + by * way[i];
+        Overlap other;
+        Push value;
+        return other.meet(moved.a, moved.b) && other.push(springs, offset, value) ? value.energy : 0.0;
+      };
+      const auto slope = [&](double h) {  // fourth order
+        return (8.0 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12.0 * h);
+      };
+      double work = 0.0;
+      for (int i = 0; i < 4; ++i) work += base::dot(of_a ? push.on_a[i] : push.on_b[i], way[i]);
+      const double wide = slope(1e-5), narrow = slope(2e-6);
+      ++all;
+      if (std::abs(wide - narrow) > 1e-7 * largest) {  // a corner passes an edge in between
+        ++kinks;
+        return 0.0;
+      }
+      return std::abs(work + wide) / largest;
+    };
+    const Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const bool of_a : {true, false})
+      for (const Vector& axis : axes) {
+        const Vector* x = of_a ? faces.a : faces.b;
+        for (int i = 0; i < (kind == TwoFaces::triangles ? 3 : 4); ++i) {
+          Vector way[4] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+          way[i] = axis;
+          if (kind == TwoFaces::triangles) way[3] = way[2];
+          const double error = compare(of_a, way);
+          worst[kind] = std::max(worst[kind], error);
+          if (kind == TwoFaces::warped) sum += error, ++warped;
+          if (kind == TwoFaces::triangles) {
+            EXPECT_LT(error, 1e-6) << trial;
+          }
+        }
+        if (kind != TwoFaces::plane) continue;
+        const Vector shift[4] = {axis, axis, axis, axis};
+        EXPECT_LT(compare(of_a, shift), 1e-6) << trial;
+        Vector turn[4];
+        for (int i = 0; i < 4; ++i) turn[i] = base::cross(axis, x[i]);
+        EXPECT_LT(compare(of_a, turn), 1e-6) << trial;
+      }
+  }
+  EXPECT_LT(worst[TwoFaces::plane], 0.03);
+  EXPECT_LT(sum / warped, 0.01);
+  EXPECT_GT(met, 300);
+  EXPECT_GT(tilted, 60);
+  EXPECT_LT(kinks, all / 50);
+}
+
+// No resultant and no moment, to roundoff.
+TEST(ContactOverlap, ForcesAndMomentsSumToZero) {
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 200; ++trial) {
+    const TwoFaces faces(random, static_cast<TwoFaces::Kind>(trial % 3), 2.0);
+    Overlap o;
+    Push push;
+    if (!o.meet(faces.a, faces.b) || !o.push({1.0, 0.8, 10.0, 30.0}, 0.0, push)) continue;
+    Vector sum{0, 0, 0}, moment{0, 0, 0};
+    double size = 0.0;
+    for (int i = 0; i < 4; ++i) {
+      sum = sum + push.on_a[i] + push.on_b[i];
+      moment = moment + base::cross(faces.a[i], push.on_a[i]) + base::cross(faces.b[i], push.on_b[i]);
+      size += norm(push.on_a[i]) + norm(push.on_b[i]);
+    }
+    EXPECT_LT(norm(sum), 1e-13 * size);
+    EXPECT_LT(norm(moment), 1e-13 * size);
+  }
+}
+
+// The corner of a cube goes around a closed path in and over the edge of a face, and turns: no work is left.
+TEST(ContactOverlap, ClosedPathGivesNoWork) {
+  const Vector cube[3][4] = {
+      {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}},  // the three faces around the origin
+      {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}},
+      {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}};
+  const auto place = [](double t, const Vector& x) {
+    const double c1 = std::cos(0.7 + 0.2 * std::cos(t)), s1 = std::sin(0.7 + 0.2 * std::cos(t));
+    const double c2 = std::cos(0.6 + 0.15 * std::sin(2 * t)), s2 = std::sin(0.6 + 0.15 * std::sin(2 * t));
+    const Vector u{x.x, c1 * x.y - s1 * x.z, s1 * x.y + c1 * x.z};
+    const Vector v{c2 * u.x + s2 * u.z, u.y, -s2 * u.x + c2 * u.z};
+    return v + Vector{0.8 + 0.3 * std::cos(t), 0.4 + 0.1 * std::sin(t), -0.05 + 0.07 * std::sin(t)};
+  };
+  double left[2] = {0.0, 0.0}, most = 0.0;
+  for (int fine = 0; fine < 2; ++fine) {
+    const int steps = fine ? 4000 : 1000;
+    double work = 0.0;
+    for (int step = 0; step < steps; ++step) {
+      const double d = 2 * M_PI / steps, t = (step + 0.5) * d;
+      for (const auto& face : cube) {
+        Vector x[4];
+        for (int i = 0; i < 4; ++i) x[i] = place(t, face[i]);
+        Overlap o;
+        Push push;
+        if (!o.meet(x, square) || !o.push({1.0, 1.0, 0.0, 0.0}, 0.0, push)) continue;
+        for (int i = 0; i < 4; ++i)
+          work += base::dot(push.on_a[i], place(t + 0.5 * d, face[i]) - place(t - 0.5 * d, face[i]));
+        most = std::max(most, push.energy);
+      }
+    }
+    left[fine] = std::abs(work);
+  }
+  EXPECT_GT(most, 1e-5);
+  EXPECT_LT(left[0], 1e-3 * most);
+  EXPECT_LT(left[1], 1e-4 * most);
 }
 
 TEST(ContactOverlap, Triangles) {
   const Vector one[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}};
   const Vector other[4] = {{0, 0, -0.2}, {0, 1, -0.2}, {1, 0, -0.2}, {1, 0, -0.2}};
   Overlap o;
-  ASSERT_TRUE(overlap(other, one, o));
-  EXPECT_NEAR(o.area, 0.5, 1e-15);
-  EXPECT_NEAR(o.volume, 0.1, 1e-15);
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(o.wa[i], 1.0 / 3.0, 1e-14);
-  EXPECT_EQ(o.wb[3], 0.0);
+  Push push;
+  ASSERT_TRUE(o.meet(other, one));
+  ASSERT_TRUE(o.push({0.5, 0.5, 0.0, 0.0}, 0.0, push));
+  EXPECT_NEAR(o.area(), 0.5, 1e-15);
+  EXPECT_NEAR(push.volume, 0.1, 1e-15);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(push.wa[i], 1.0 / 3.0, 1e-14);
+  EXPECT_EQ(push.wb[3], 0.0);
 }
 
 // The gate for eight faces keeps no pair that overlaps outside, and most others.
@@ -149,7 +292,8 @@ TEST(ContactGate, LetsThroughWhatOverlaps) {
     const base::Mask may = Gate(a).open(corners);
     for (std::size_t lane = 0; lane < base::lane_count; ++lane) {
       Overlap o;
-      const bool overlaps = overlap(a, corners.face(lane).data(), o);
+      const auto b = corners.face(lane);
+      const bool overlaps = o.meet(a, b.data());
       ++all;
       met += overlaps ? 1 : 0;
       passed += may[static_cast<int>(lane)] ? 1 : 0;
