@@ -149,6 +149,7 @@ class Runner {
   const SpaceMesh<2>& mesh() const { return mesh_; }
   std::function<PointState<2>(const Event<2>&)> initial;  ///< instead of the standing wave
   bool repeat = false;                                    ///< tents repeat and share operators
+  int together = 64;                                      ///< and are solved together
 
   /// @param solve false: only the front, no fields
   Outcome run(double end, bool solve = true, ScheduleRecord* record = nullptr, bool verify = false) {
@@ -160,13 +161,17 @@ class Runner {
     Outcome out;
     elements_ = 0;
     const double cpu = cpu_seconds(), wall = wall_seconds();
-    const FrontStatus status = Scheduler<2>(pitcher).advance(
-        front, end,
-        [&](const Patch<2>& patch) {
-          elements_.fetch_add(static_cast<std::int64_t>(patch.elements.size()), std::memory_order_relaxed);
-          return solve ? one(patch, verify, out) : Verdict{};
-        },
-        record);
+    const FrontStatus status =
+        Scheduler<2>(pitcher, {.verify = false, .together = pitcher.repeats() && !record ? together : 1})
+            .advance_several(
+                front, end,
+                [&](std::span<const Patch<2>> patches, std::span<Verdict> verdicts) {
+                  for (const Patch<2>& patch : patches)
+                    elements_.fetch_add(static_cast<std::int64_t>(patch.elements.size()),
+                                        std::memory_order_relaxed);
+                  if (solve) some(patches, verdicts, verify, out);
+                },
+                record);
     out.cpu = cpu_seconds() - cpu, out.wall = wall_seconds() - wall;
     out.ok = status.ok;
     out.elements = elements_;
@@ -215,38 +220,49 @@ class Runner {
  private:
   struct Worker {
     PatchSolver<2> solver;
-    std::vector<const Solution<2>*> older;
-    std::vector<Solution<2>> out;
+    std::vector<std::vector<const Solution<2>*>> older;
+    std::vector<std::vector<Solution<2>>> out;
+    std::vector<PatchJob<2>> jobs;
     explicit Worker(const Problem<2>& p) : solver(p) {}
   };
 
-  Verdict one(const Patch<2>& patch, bool verify, Outcome& outcome) {
+  void some(std::span<const Patch<2>> patches, std::span<Verdict> verdicts, bool verify, Outcome& outcome) {
     std::unique_ptr<Worker> w;
     {
       const std::lock_guard lock(guard_);
       if (!idle_.empty()) w = std::move(idle_.back()), idle_.pop_back();
     }
     if (!w) w = std::make_unique<Worker>(problem_);
-    w->older.assign(patch.facets.size(), nullptr);
-    for (std::size_t f = 0; f < w->older.size(); ++f) {
-      const auto s =
-          static_cast<std::size_t>(patch.elements[static_cast<std::size_t>(patch.facets[f].element)].simplex);
-      if (patch.facets[f].kind == FacetKind::inflow && under_[s].material) w->older[f] = &under_[s];
+    if (w->out.size() < patches.size()) w->out.resize(patches.size()), w->older.resize(patches.size());
+    w->jobs.clear();
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const Patch<2>& patch = patches[k];
+      w->older[k].assign(patch.facets.size(), nullptr);
+      for (std::size_t f = 0; f < patch.facets.size(); ++f) {
+        const Facet<2>& facet = patch.facets[f];
+        const Solution<2>& below =
+            under_[static_cast<std::size_t>(patch.elements[static_cast<std::size_t>(facet.element)].simplex)];
+        if (facet.kind == FacetKind::inflow && below.material) w->older[k][f] = &below;
+      }
+      if (w->out[k].size() < patch.elements.size()) w->out[k].resize(patch.elements.size());
+      w->jobs.push_back(
+          {.patch = &patch, .older = w->older[k], .out = {w->out[k].data(), patch.elements.size()}});
     }
-    if (w->out.size() < patch.elements.size()) w->out.resize(patch.elements.size());
-    const std::span<Solution<2>> out(w->out.data(), patch.elements.size());
-    const PatchStatus status = w->solver.solve(patch, w->older, out);
-    Verify check;
-    if (verify) w->solver.verify(patch, w->older, out, check);
-    for (std::size_t e = 0; e < out.size(); ++e)
-      std::swap(under_[static_cast<std::size_t>(patch.elements[e].simplex)], out[e]);
+    w->solver.solve(w->jobs);
+    Verify check, worst;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const PatchJob<2>& job = w->jobs[k];
+      if (job.status != PatchStatus::solved) verdicts[k].kind = Verdict::fail;
+      if (verify) w->solver.verify(patches[k], job.older, job.out, check);
+      worst.momentum = std::max(worst.momentum, check.momentum);
+      worst.energy = std::max(worst.energy, check.energy);
+      for (std::size_t e = 0; e < job.out.size(); ++e)
+        std::swap(under_[static_cast<std::size_t>(patches[k].elements[e].simplex)], job.out[e]);
+    }
     const std::lock_guard lock(guard_);
     idle_.push_back(std::move(w));
-    if (verify) {
-      outcome.momentum = std::max(outcome.momentum, check.momentum);
-      outcome.balance = std::max(outcome.balance, check.energy);
-    }
-    return Verdict{status == PatchStatus::solved ? Verdict::accept : Verdict::fail};
+    outcome.momentum = std::max(outcome.momentum, worst.momentum);
+    outcome.balance = std::max(outcome.balance, worst.energy);
   }
 
   StandingWave wave_;

@@ -1,5 +1,4 @@
-/// Spacetime discontinuous Galerkin on tents: from a body to outputs. Theory of the run:
-/// docs/solver/tents.md.
+/// Spacetime discontinuous Galerkin on tents: from a body to outputs. Theory: docs/solver/tents.md.
 ///
 /// The front never waits to be level. It pauses where all of it has passed an instant of output (or a few
 /// that lie close together), and the solution is cut there at constant time. What the State holds between two
@@ -30,6 +29,7 @@ using discretisation::State;
 using discretisation::StepStatus;
 using Clock = std::chrono::steady_clock;
 
+constexpr int patches_together = 64;        ///< where tents repeat: some lanes full of equal ones
 constexpr double volume_tolerance = 1e-11;  ///< of body times duration
 const char* const memory_name = "spacetime";
 
@@ -133,9 +133,12 @@ class Tents final : public Solver, private CellSource {
     FrontStatus moved;
     const std::size_t group = *std::lower_bound(pauses_.begin(), pauses_.end(), written_);
     if (passed(instants_[group])) return moved;
-    Scheduler<D> scheduler(pitcher_, {.verify = verify_});
-    moved = scheduler.advance(front_, body_->end_time, [this](const Patch<D>& patch) { return solve(patch); },
-                              nullptr, {.at = instants_[group], .stop = &wishes.stop});
+    Scheduler<D> scheduler(pitcher_,
+                           {.verify = verify_, .together = pitcher_.repeats() ? patches_together : 1});
+    moved = scheduler.advance_several(
+        front_, body_->end_time,
+        [this](std::span<const Patch<D>> patches, std::span<Verdict> verdicts) { solve(patches, verdicts); },
+        nullptr, {.at = instants_[group], .stop = &wishes.stop});
     tally_.add(patches_.take());
     slowed_ += static_cast<std::int64_t>(moved.slowed.size());
     book(front_seconds_);
@@ -221,8 +224,8 @@ class Tents final : public Solver, private CellSource {
     fact("body_work", scale * exchanged.body_work);
     fact("dissipation", energy.initial + energy.external - energy.kinetic - energy.internal);
     if (verify_) fact("dissipation_of_jumps", scale * exchanged.dissipation);
-    static constexpr const char* momentum[] = {"x_momentum", "y_momentum", "z_momentum"};
-    static constexpr const char* impulse[] = {"x_impulse", "y_impulse", "z_impulse"};
+    static constexpr const char *momentum[] = {"x_momentum", "y_momentum", "z_momentum"},
+                                *impulse[] = {"x_impulse", "y_impulse", "z_impulse"};
     for (std::size_t i = 0; i < D; ++i) fact(momentum[i], filler_.momentum()[i]);
     for (std::size_t i = 0; i < D; ++i) fact(impulse[i], scale * exchanged.impulse[i]);
     if (verify_) {
@@ -232,10 +235,10 @@ class Tents final : public Solver, private CellSource {
     }
   }
 
-  Verdict solve(const Patch<D>& patch) {
-    Verdict verdict = patches_.solve(patch, verify_);
-    if (verdict.kind == Verdict::accept) album_.add(pitcher_.key(front_, patch.pole), patch);
-    return verdict;
+  void solve(std::span<const Patch<D>> patches, std::span<Verdict> verdicts) {
+    patches_.solve(patches, verdicts, verify_);
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      if (verdicts[k].kind == Verdict::accept) album_.add(pitcher_.key(front_, patches[k].pole), patches[k]);
   }
 
   StepStatus failure(const FrontStatus& moved) const {

@@ -49,41 +49,55 @@ void Tally::add(const Tally& other) {
 }
 
 template <int D>
-Verdict PatchRunner<D>::solve(const Patch& patch, bool verified) {
+void PatchRunner<D>::solve(std::span<const Patch> patches, std::span<Verdict> verdicts, bool verified) {
   const auto started = Clock::now();
   Worker& w = *take_worker();
-  const std::size_t count = patch.elements.size();
-  if (w.solution.size() < count) w.solution.resize(count);
-  const std::span<Solution<D>> out(w.solution.data(), count);
-  w.older.assign(patch.facets.size(), nullptr);
-  for (std::size_t f = 0; f < patch.facets.size(); ++f)
-    if (patch.facets[f].kind == FacetKind::inflow)
-      w.older[f] = columns_.under(patch.elements[static_cast<std::size_t>(patch.facets[f].element)].simplex);
-  Verdict verdict = verdict_of(w.solver.solve(patch, w.older, out));
-  const auto solved = Clock::now();
-  w.tally.solving += seconds(solved - started);
-  if (verdict.kind == Verdict::accept && verified) {
-    verdict = check(patch, w, out);
-    w.tally.checking += seconds(Clock::now() - solved);
+  if (w.solution.size() < patches.size()) w.solution.resize(patches.size()), w.older.resize(patches.size());
+  w.jobs.clear();
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const Patch& patch = patches[k];
+    const std::size_t count = patch.elements.size();
+    if (w.solution[k].size() < count) w.solution[k].resize(count);
+    w.older[k].assign(patch.facets.size(), nullptr);
+    for (std::size_t f = 0; f < patch.facets.size(); ++f)
+      if (patch.facets[f].kind == FacetKind::inflow)
+        w.older[k][f] =
+            columns_.under(patch.elements[static_cast<std::size_t>(patch.facets[f].element)].simplex);
+    w.jobs.push_back({.patch = &patch, .older = w.older[k], .out = {w.solution[k].data(), count}});
   }
-  if (verdict.kind == Verdict::accept) {
-    columns_.commit(patch, out);
-    for (std::size_t e = 0; e < count; ++e) {
-      SolvedElement<D>& element = columns_.last(patch.elements[e].simplex);
-      if (verified) element.exchange.dissipation = w.verify.element_dissipation[e];
-      element.exchange = outside_.before(patch.elements[e].simplex, element, never);
+  w.solver.solve(w.jobs);
+  w.tally.solving += seconds(Clock::now() - started);
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    verdicts[k] = verdict_of(w.jobs[k].status);
+    const std::span<Solution> out = w.jobs[k].out;
+    if (verdicts[k].kind == Verdict::accept && verified) {
+      const auto before = Clock::now();
+      verdicts[k] = check(patches[k], w, w.older[k], out);
+      w.tally.checking += seconds(Clock::now() - before);
     }
+    if (verdicts[k].kind != Verdict::accept) continue;
+    commit(patches[k], w, out, verified);
     ++w.tally.patches;
-    w.tally.elements += static_cast<std::int64_t>(count);
-    w.tally.unknowns += w.solver.unknowns();
+    w.tally.elements += static_cast<std::int64_t>(out.size());
+    w.tally.unknowns += w.jobs[k].unknowns;
   }
   give_worker(&w);
-  return verdict;
 }
 
 template <int D>
-Verdict PatchRunner<D>::check(const Patch& patch, Worker& w, std::span<const Solution<D>> solution) const {
-  w.solver.verify(patch, w.older, solution, w.verify);
+void PatchRunner<D>::commit(const Patch& patch, Worker& w, std::span<Solution> solution, bool verified) {
+  columns_.commit(patch, solution);
+  for (std::size_t e = 0; e < patch.elements.size(); ++e) {
+    SolvedElement<D>& element = columns_.last(patch.elements[e].simplex);
+    if (verified) element.exchange.dissipation = w.verify.element_dissipation[e];
+    element.exchange = outside_.before(patch.elements[e].simplex, element, never);
+  }
+}
+
+template <int D>
+Verdict PatchRunner<D>::check(const Patch& patch, Worker& w, std::span<const Solution* const> older,
+                              std::span<const Solution> solution) const {
+  w.solver.verify(patch, older, solution, w.verify);
   w.tally.worst_momentum = std::max(w.tally.worst_momentum, w.verify.momentum);
   w.tally.worst_energy = std::max(w.tally.worst_energy, w.verify.energy);
   if (!(w.verify.momentum <= momentum_tolerance))

@@ -30,26 +30,30 @@ class PatchRunner {
               discretisation::spacetime::Columns<D>& columns)
       : body_(body), outside_(outside), columns_(columns) {}
 
-  /// Any thread. An accepted patch is in the columns afterwards, with what it exchanged.
-  /// @param verified  hold it to its balances: a patch that breaks one fails
-  Verdict solve(const Patch& patch, bool verified);
+  /// Any thread. Accepted patches are in the columns afterwards, with what they exchanged.
+  /// @param patches  that share no simplex @param verdicts [patches]
+  /// @param verified  hold them to their balances: a patch that breaks one fails
+  void solve(std::span<const Patch> patches, std::span<Verdict> verdicts, bool verified);
 
   /// What was solved since it was asked last. No patch may be in flight.
   Tally take();
 
  private:
-  /// Scratch of one thread while it solves a patch.
+  using Solution = discretisation::spacetime::Solution<D>;
+  /// Scratch of one thread while it solves patches.
   struct Worker {
     discretisation::spacetime::PatchSolver<D> solver;
-    std::vector<const discretisation::spacetime::Solution<D>*> older;
-    std::vector<discretisation::spacetime::Solution<D>> solution;
+    std::vector<std::vector<const Solution*>> older;  ///< [patch][facet]
+    std::vector<std::vector<Solution>> solution;      ///< [patch][element], and some without
+    std::vector<discretisation::spacetime::PatchJob<D>> jobs;
     discretisation::spacetime::Verify verify;
     Tally tally;
     explicit Worker(const discretisation::spacetime::Problem<D>& problem) : solver(problem) {}
   };
 
-  Verdict check(const Patch& patch, Worker& worker,
-                std::span<const discretisation::spacetime::Solution<D>> solution) const;
+  void commit(const Patch& patch, Worker& worker, std::span<Solution> solution, bool verified);
+  Verdict check(const Patch& patch, Worker& worker, std::span<const Solution* const> older,
+                std::span<const Solution> solution) const;
   Verdict broken(const Patch& patch, std::string what, double value, double limit) const;
   Worker* take_worker();
   void give_worker(Worker* worker);

@@ -26,12 +26,20 @@ struct PatchOperator {
   static constexpr int NU = state_count<D>;
   struct Element {
     ElementSpace<D> space;
-    Matrix<NU> flux{};  ///< - A_N of the inflow facet
+    Matrix<NU> flux{};  ///< - A_N of the inflow facet, for velocity and strain as they are
     int modes = 0;      ///< on it
     int waves_in = 0, waves_out = 0;
-    Block respond;  ///< [waves in, data][unknowns]
-    Block emit;     ///< [data][waves out]
-    Block settle;   ///< three fields, [polynomials][polynomials]: inverse of the displacement's matrix
+    /// [waves in, data][unknowns]; three fields: [coefficients], those of a Solution, fields before
+    /// displacement
+    Block respond;
+    Block emit;  ///< [data][waves out]
+    /// One field: [unknowns][coefficients]. Trefftz: [monomials][polynomials], no polynomial of a higher
+    /// degree than the monomial.
+    Block restore;
+    /// [components, modes][components, polynomials]: what the older displacement on the inflow facet adds;
+    /// but with three fields its difference to the restored one.
+    Block carry;
+    int carried = 0, carried_to = 0;  ///< modes and polynomials of a component
     std::vector<OpenFacet> open;
     std::vector<int> boundary;  ///< its facets with data, after the inflow
   };

@@ -40,21 +40,33 @@ const TrefftzTable<D>* PatchSolver<D>::table(SpaceChoice c, int material) {
 }
 
 template <int D>
+bool PatchSolver<D>::is_linear(const Patch<D>& patch) const {
+  for (const Facet<D>& f : patch.facets)
+    if ((f.kind == FacetKind::interior || f.kind == FacetKind::boundary) && !target(f).linear()) return false;
+  return true;
+}
+
+template <int D>
+bool PatchSolver<D>::repeats(const Patch<D>& patch) const {
+  return patch.shape && !problem_.body_force && !keep_matrix && is_linear(patch);
+}
+
+template <int D>
 PatchStatus PatchSolver<D>::solve(const Patch<D>& patch, std::span<const Solution<D>* const> older,
                                   std::span<Solution<D>> out, std::span<const SpaceChoice> choices) {
   CLEAVE_ASSERT(out.size() == patch.elements.size() && older.size() == patch.facets.size(),
                 "arrays of a patch");
+  if (choices.empty() && repeats(patch)) {
+    PatchJob<D> job{.patch = &patch, .older = older, .out = out};
+    solve({&job, 1});
+    return job.status;
+  }
   count_ = static_cast<int>(patch.elements.size());
   if (elements_.size() < patch.elements.size()) elements_.resize(patch.elements.size());
   stars_.clear();
-  bool linear = true;
-  for (const Facet<D>& f : patch.facets)
-    if (f.kind == FacetKind::interior || f.kind == FacetKind::boundary) linear = linear && target(f).linear();
-
+  const bool linear = is_linear(patch);
   origin_ = {};
   pivoting_ = false;
-  if (patch.shape && linear && choices.empty() && !problem_.body_force && !keep_matrix)
-    return solve_repeated(patch, older, out);
   bool again = false;  // the same iterate, with pivoting
   for (iterations_ = 1;; ++iterations_) {
     if (!begin(patch, choices)) return PatchStatus::degenerate;

@@ -15,6 +15,7 @@
 #include "discretisation/spacetime/quadrature.hpp"
 #include "discretisation/spacetime/space.hpp"
 #include "discretisation/spacetime/target.hpp"
+#include "discretisation/spacetime/vectors.hpp"
 #include "discretisation/spacetime/verify.hpp"
 
 namespace cleave::discretisation::spacetime {
@@ -38,6 +39,16 @@ enum class PatchStatus {
   not_converged      ///< a nonlinear target
 };
 
+/// One of several patches that are solved together.
+template <int D>
+struct PatchJob {
+  const Patch<D>* patch = nullptr;
+  std::span<const Solution<D>* const> older;  ///< as in PatchSolver::solve
+  std::span<Solution<D>> out;
+  PatchStatus status = PatchStatus::solved;
+  int unknowns = 0;
+};
+
 template <int D>
 class PatchSolver {
  public:
@@ -51,9 +62,13 @@ class PatchSolver {
   PatchStatus solve(const Patch<D>& patch, std::span<const Solution<D>* const> older,
                     std::span<Solution<D>> out, std::span<const SpaceChoice> choices = {});
 
-  /// Residuals and energies of the patch just solved, from traces at quadrature points.
+  /// Patches that share no simplex, with the spaces of their materials. Equal ones go through their operator
+  /// together, up to a lane of them; each has the same bits as if it were solved alone.
+  void solve(std::span<PatchJob<D>> jobs);
+
+  /// Residuals and energies of a patch that was solved, from traces at quadrature points.
   void verify(const Patch<D>& patch, std::span<const Solution<D>* const> older,
-              std::span<const Solution<D>> solution, Verify& out) const;
+              std::span<const Solution<D>> solution, Verify& out);
 
   /// Matrix of the last patch before elimination, row-major; kept only while `keep_matrix` is set.
   bool keep_matrix = false;
@@ -113,13 +128,25 @@ class PatchSolver {
     double scale = 1.0;
   };
 
-  PatchStatus solve_repeated(const Patch<D>& patch, std::span<const Solution<D>* const> older,
-                             std::span<Solution<D>> out);
+  bool is_linear(const Patch<D>& patch) const;
+  bool repeats(const Patch<D>& patch) const;
+  void make_key(const Patch<D>& patch);
+  const PatchOperator<D>* find_operator(const Patch<D>& patch);
+  const PatchOperator<D>* new_operator(const Patch<D>& patch);
   void place(const Patch<D>& patch);
   bool make_operator(const Patch<D>& patch, PatchOperator<D>& op);
   void keep_elements(PatchOperator<D>& op);
-  void apply(const PatchOperator<D>& op, const Patch<D>& patch, std::span<const Solution<D>* const> older,
-             std::span<Solution<D>> out);
+  void keep_response(int e, Block respond, typename PatchOperator<D>::Element& to);
+  void pack(PatchOperator<D>& op);
+  void apply(const PatchOperator<D>& op, std::span<PatchJob<D>* const> jobs);
+  void gather(const PatchOperator<D>& op, std::size_t e, std::span<PatchJob<D>* const> jobs, int width);
+  void join_waves(const PatchOperator<D>& op, std::size_t j, int width);
+  void return_waves(const PatchOperator<D>& op, std::size_t j, int width);
+  void restore(const PatchOperator<D>& op, std::size_t e, std::span<PatchJob<D>* const> jobs, int width);
+  void sum_functions(const typename PatchOperator<D>::Element& element, const double* unknowns, double* x,
+                     int width);
+  /// Numbers of several vectors, see multiply_vectors().
+  double* vectors(int rows, int width) { return arena_.take_raw(vectors_size(rows, width)); }
   bool fits(const PatchOperator<D>& op, const Patch<D>& patch);
   void put_columns(int element, const Functional& f, double scale, const Block& b, int column) const;
 
@@ -130,10 +157,12 @@ class PatchSolver {
   int points_per_direction(const Facet<D>& facet, const Solution<D>* older = nullptr) const;
   void facet_points(const Facet<D>& facet, const SimplexRule& rule) const;
   void older_states(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older) const;
-  /// Modes on an inflow facet of a solution next to it, or of the initial state: D rows of u, then v and
-  /// strain energy-scaled, each padded(count) long, zero beyond count; only u is sure to be filled
-  /// with `displacement`, only the others without. @param degree of what they are tested
-  /// with, where the state is not a polynomial
+  /// Modes on an inflow facet of a solution next to it, or of the initial state: D rows of u, those of v and
+  /// of strain, each padded(count) long, zero beyond count. Only rows from first_row to last_row are filled.
+  /// @param degree of what they are tested with, where the state is not a polynomial
+  double* older_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older, int degree,
+                      int count, int first_row, int last_row);
+  /// The same; u with `displacement`, else v and strain, energy-scaled.
   double* trace_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older, int degree,
                       int count, bool displacement);
   double star_values(const Facet<D>& facet, std::span<const Solution<D>> solution) const;
@@ -173,11 +202,11 @@ class PatchSolver {
 
   void displacements(const Patch<D>& patch, std::span<const Solution<D>* const> older,
                      std::span<Solution<D>> out);
-  /// @param seen  the patch as the element's space sees it
-  void rigid_motion(const Patch<D>& seen, const Patch<D>& patch, int e,
-                    std::span<const Solution<D>* const> older, Solution<D>& out);
-  void settle(const typename PatchOperator<D>::Element& element, const Facet<D>& inflow, const double* u,
-              Solution<D>& out);
+  /// [component, mode][component, polynomial]: the rigid motion that takes away a jump of the displacement on
+  /// the inflow facet, both in polynomials of degree one.
+  Block rigid_fit(int e, const Facet<D>& inflow);
+  void rigid_motion(const Patch<D>& patch, int e, std::span<const Solution<D>* const> older,
+                    Solution<D>& out);
   Block displacement_matrix(int e, const Facet<D>& inflow);
   void three_field_displacement(const Patch<D>& patch, const std::vector<int>& group,
                                 std::span<const Solution<D>* const> older, std::span<Solution<D>> out);
@@ -188,8 +217,14 @@ class PatchSolver {
   bool recording_ = false;  ///< an operator is being made: no data, but columns for them
   Event<D> origin_{};       ///< of the coordinates of facets, for targets
   Patch<D> placed_;         ///< a patch as seen from its foot, all of one shape with the same bits
-  std::vector<std::vector<Given>> given_;                             ///< [element], while recording
-  std::vector<double*> input_, part_out_, first_sent_, second_sent_;  ///< of apply()
+  std::vector<std::vector<Given>> given_;  ///< [element], while recording
+  struct Group {
+    const PatchOperator<D>* op;
+    std::vector<PatchJob<D>*> jobs;
+  };
+  std::vector<Group> groups_;  ///< of patches to solve together, and some without
+  std::size_t group_count_ = 0;
+  std::vector<double*> input_, carried_, part_out_, first_sent_, second_sent_;  ///< of apply()
   std::vector<Block*> to_pack_;
   typename OperatorStore<D>::Key key_;
   TargetPtr<D> bonded_;

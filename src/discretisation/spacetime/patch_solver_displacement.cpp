@@ -12,7 +12,7 @@ void PatchSolver<D>::displacements(const Patch<D>& patch, std::span<const Soluti
                                    std::span<Solution<D>> out) {
   for (int e = 0; e < count_; ++e)
     if (out[static_cast<std::size_t>(e)].space.space != LocalSpace::three_field)
-      rigid_motion(patch, patch, e, older, out[static_cast<std::size_t>(e)]);
+      rigid_motion(patch, e, older, out[static_cast<std::size_t>(e)]);
   // Three-field elements exchange displacement through tilted facets only.
   bool tilted = false;
   for (const Facet<D>& f : patch.facets)
@@ -29,66 +29,61 @@ void PatchSolver<D>::displacements(const Patch<D>& patch, std::span<const Soluti
 }
 
 /// The rigid motions carry neither velocity nor strain. They are those that bring the displacement closest to
-/// the older one on the inflow facets, weighted with |N_t|: the last term of (3.4).
+/// the older one on the inflow facet: the last term of (3.4).
 template <int D>
-void PatchSolver<D>::rigid_motion(const Patch<D>& seen, const Patch<D>& patch, int e,
-                                  std::span<const Solution<D>* const> older, Solution<D>& out) {
-  constexpr int r = rigid_count<D>;
+Block PatchSolver<D>::rigid_fit(int e, const Facet<D>& inflow) {
+  constexpr int r = rigid_count<D>, modes = D + 1, linear = D + 2;
   const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
-  const Block normal = take(arena_, r, r), rhs = take(arena_, r, 1);
+  const Block normal = take(arena_, r, r), motion = take(arena_, r, D * modes),
+              fit = take(arena_, D * modes, D * linear);
+  // Translations and rotations at a place, about the centre of the element.
+  const auto rigid = [&](const Event<D>& y, double share, int stride, double* to, std::ptrdiff_t next) {
+    for (int i = 0, k = D; i < D; ++i) {
+      to[i * next + i * stride] += share;
+      for (int j = i + 1; j < D; ++j, ++k) {
+        to[k * next + i * stride] += share * (y[j] - space.centre[j]) / space.length;
+        to[k * next + j * stride] -= share * (y[i] - space.centre[i]) / space.length;
+      }
+    }
+  };
+  for (int c = 0; c < modes; ++c)
+    for (int l = 0; l <= D; ++l)
+      rigid(inflow.corner[static_cast<std::size_t>(l)],
+            Basis<D>::get().linear(l)[static_cast<std::size_t>(c)], modes, motion.data + c, motion.stride);
+  for (int k = 0; k < r; ++k)
+    for (int l = 0; l < r; ++l)
+      for (int c = 0; c < D * modes; ++c) normal.row(k)[l] += motion.row(k)[c] * motion.row(l)[c];
+  int pivot[r];
+  if (!factor(normal, pivot)) return fit;  // an element without inflow is refused before
+  spacetime::solve(normal, pivot, motion);
+  double polynomial[r][D * linear] = {};
+  for (int a = 0; a < linear; ++a)
+    for (int l = 0; l < linear; ++l)
+      rigid(space.corner[static_cast<std::size_t>(l)],
+            Basis<D + 1>::get().linear(l)[static_cast<std::size_t>(a)], linear, polynomial[0] + a,
+            D * linear);
+  for (int c = 0; c < D * modes; ++c)
+    for (int a = 0; a < D * linear; ++a)
+      for (int k = 0; k < r; ++k) fit.row(c)[a] += motion.row(k)[c] * polynomial[k][a];
+  return fit;
+}
+
+template <int D>
+void PatchSolver<D>::rigid_motion(const Patch<D>& patch, int e, std::span<const Solution<D>* const> older,
+                                  Solution<D>& out) {
   const int nu = polynomial_count(D + 1, out.displacement_degree);
   for (std::size_t f = 0; f < patch.facets.size(); ++f) {
-    const Facet<D>& facet = seen.facets[f];
+    const Facet<D>& facet = patch.facets[f];
     if (facet.kind != FacetKind::inflow || facet.element != e) continue;
-    // Both displacements and the rigid motions in the polynomials of degree one on the facet.
-    const double *before =
-                     trace_modes(patch, patch.facets[f], older[f], out.displacement_degree, D + 1, true),
-                 *now = trace_modes(patch, patch.facets[f], &out, out.displacement_degree, D + 1, true);
-    const double weight = std::fabs(facet.normal[D]);
-    constexpr int stride = padded(D + 1);
-    double mode[r][D][D + 1] = {};
-    for (int c = 0; c <= D; ++c)
-      for (int l = 0; l <= D; ++l) {
-        const double share = Basis<D>::get().linear(l)[c];
-        const Event<D>& y = facet.corner[static_cast<std::size_t>(l)];
-        for (int i = 0, k = D; i < D; ++i) {
-          mode[i][i][c] += share;
-          for (int j = i + 1; j < D; ++j, ++k) {
-            mode[k][i][c] += share *
-                             (y[static_cast<std::size_t>(j)] - space.centre[static_cast<std::size_t>(j)]) /
-                             space.length;
-            mode[k][j][c] -= share *
-                             (y[static_cast<std::size_t>(i)] - space.centre[static_cast<std::size_t>(i)]) /
-                             space.length;
-          }
-        }
-      }
-    for (int k = 0; k < r; ++k)
-      for (int i = 0; i < D; ++i)
-        for (int c = 0; c <= D; ++c) {
-          rhs.row(k)[0] += weight * mode[k][i][c] * (before[i * stride + c] - now[i * stride + c]);
-          for (int l = 0; l < r; ++l) normal.row(k)[l] += weight * mode[k][i][c] * mode[l][i][c];
-        }
-  }
-  int pivot[r];
-  if (!factor(normal, pivot)) return;  // an element without inflow is refused before
-  spacetime::solve(normal, pivot, rhs);
-
-  const auto& basis = Basis<D + 1>::get();
-  for (int a = 0; a < D + 2; ++a) {
-    double one = 0.0, coordinate[D] = {};
-    for (int l = 0; l < D + 2; ++l) {
-      one += basis.linear(l)[a];
-      for (int i = 0; i < D; ++i)
-        coordinate[i] += (space.corner[l][i] - space.centre[i]) / space.length * basis.linear(l)[a];
-    }
-    for (int i = 0, k = D; i < D; ++i) {
-      out.displacement[static_cast<std::size_t>(i * nu + a)] += rhs.row(i)[0] * one;
-      for (int j = i + 1; j < D; ++j, ++k) {
-        out.displacement[static_cast<std::size_t>(i * nu + a)] += rhs.row(k)[0] * coordinate[j];
-        out.displacement[static_cast<std::size_t>(j * nu + a)] -= rhs.row(k)[0] * coordinate[i];
-      }
-    }
+    const Block fit = rigid_fit(e, facet);
+    constexpr int modes = D + 1, linear = D + 2, stride = padded(modes);
+    const double *before = trace_modes(patch, facet, older[f], out.displacement_degree, modes, true),
+                 *now = trace_modes(patch, facet, &out, out.displacement_degree, modes, true);
+    for (int i = 0; i < D; ++i)
+      for (int c = 0; c < modes; ++c)
+        for (int a = 0; a < D * linear; ++a)
+          out.displacement[static_cast<std::size_t>(a / linear * nu + a % linear)] +=
+              fit.row(i * modes + c)[a] * (before[i * stride + c] - now[i * stride + c]);
   }
 }
 
@@ -114,28 +109,6 @@ Block PatchSolver<D>::displacement_matrix(int e, const Facet<D>& inflow) {
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < n; ++b) matrix.row(a)[b] += weight * mass.row(a)[b];
   return matrix;
-}
-
-/// The displacement of a three-field element. @param u  older displacement on the inflow facet, modes
-template <int D>
-void PatchSolver<D>::settle(const typename PatchOperator<D>::Element& element, const Facet<D>& inflow,
-                            const double* u, Solution<D>& out) {
-  const int n = element.space.polynomials, stride = padded(element.modes);
-  const Block& modes = FacetBasis<D>::get().modes(element.space.opposite(inflow.corner));
-  const double weight = std::fabs(inflow.normal[D]);
-  double* rhs = arena_.take_raw(static_cast<std::size_t>(n));
-  for (int i = 0; i < D; ++i) {
-    for (int a = 0; a < n; ++a) {
-      base::Lanes sum(0.0);
-      for (int c = 0; c < stride; c += base::lane_count)
-        sum = fma(base::Lanes::load(modes.row(a) + c), base::Lanes::load(u + i * stride + c), sum);
-      rhs[a] =
-          element.space.volume * out.fields[static_cast<std::size_t>(i * n + a)] + weight * base::sum(sum);
-    }
-    double* to = arena_.take(static_cast<std::size_t>(element.settle.stride));
-    add_transposed(element.settle, rhs, to);
-    std::copy_n(to, n, out.displacement.begin() + static_cast<std::ptrdiff_t>(i) * n);
-  }
 }
 
 /// int u^ (u,t - v) dV + int u^ (u* - u) N_t dS = 0, u* from the older element on inflow and from the earlier
@@ -235,13 +208,10 @@ void PatchSolver<D>::three_field_displacement(const Patch<D>& patch, const std::
 }
 
 #define CLEAVE_INSTANTIATE(D)                                                                       \
-  template void PatchSolver<D>::settle(const typename PatchOperator<D>::Element&, const Facet<D>&,  \
-                                       const double*, Solution<D>&);                                \
+  template Block PatchSolver<D>::rigid_fit(int, const Facet<D>&);                                   \
   template Block PatchSolver<D>::displacement_matrix(int, const Facet<D>&);                         \
   template void PatchSolver<D>::displacements(const Patch<D>&, std::span<const Solution<D>* const>, \
                                               std::span<Solution<D>>);                              \
-  template void PatchSolver<D>::rigid_motion(const Patch<D>&, const Patch<D>&, int,                 \
-                                             std::span<const Solution<D>* const>, Solution<D>&);    \
   template void PatchSolver<D>::three_field_displacement(const Patch<D>&, const std::vector<int>&,  \
                                                          std::span<const Solution<D>* const>,       \
                                                          std::span<Solution<D>>);

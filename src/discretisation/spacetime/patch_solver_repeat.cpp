@@ -88,9 +88,7 @@ void PatchSolver<D>::place(const Patch<D>& patch) {
 }
 
 template <int D>
-PatchStatus PatchSolver<D>::solve_repeated(const Patch<D>& patch, std::span<const Solution<D>* const> older,
-                                           std::span<Solution<D>> out) {
-  iterations_ = 1;
+void PatchSolver<D>::make_key(const Patch<D>& patch) {
   key_.clear();
   key_.push_back(bits(patch.top[D] - patch.foot[D]));
   for (std::size_t e = 0; e < patch.elements.size(); ++e) {
@@ -102,36 +100,42 @@ PatchStatus PatchSolver<D>::solve_repeated(const Patch<D>& patch, std::span<cons
       key_.push_back(static_cast<std::uint64_t>(patch.facets[e * (D + 2) + 2 + i].neighbour));
     }
   }
-  const PatchOperator<D>* op = nullptr;
+}
+
+/// The operator that is there already, else null. Leaves the key of the patch.
+template <int D>
+const PatchOperator<D>* PatchSolver<D>::find_operator(const Patch<D>& patch) {
+  make_key(patch);
   if (const auto* list = operators_.find(key_))
     for (const auto& candidate : *list)
-      if (!op && fits(*candidate, patch)) op = candidate.get();
-  if (op) {
-    operators_.count_found();
-  } else {
-    place(patch);
-    auto made = std::make_unique<PatchOperator<D>>();
-    origin_ = patch.foot;
-    recording_ = true;
-    pivoting_ = false;
-    bool ok = make_operator(patch, *made);
-    if (!ok) {
-      pivoting_ = true;
-      *made = {};
-      ok = make_operator(patch, *made);
-    }
-    recording_ = false;
-    origin_ = {};
-    for (auto& list : given_) list.clear();
-    if (!ok) return PatchStatus::singular;
-    op = operators_.add(key_, std::move(made),
-                        operator_memory / static_cast<std::size_t>(std::max(1, base::thread_count())));
+      if (fits(*candidate, patch)) {
+        operators_.count_found();
+        return candidate.get();
+      }
+  return nullptr;
+}
+
+/// Made for the patch whose key was made last; null if it is singular.
+template <int D>
+const PatchOperator<D>* PatchSolver<D>::new_operator(const Patch<D>& patch) {
+  count_ = static_cast<int>(patch.elements.size());
+  place(patch);
+  auto made = std::make_unique<PatchOperator<D>>();
+  origin_ = patch.foot;
+  recording_ = true;
+  pivoting_ = false;
+  bool ok = make_operator(patch, *made);
+  if (!ok) {
+    pivoting_ = true;
+    *made = {};
+    ok = make_operator(patch, *made);
   }
-  apply(*op, patch, older, out);
-  for (int e = 0; e < count_; ++e)
-    for (const double x : out[static_cast<std::size_t>(e)].fields)
-      if (!std::isfinite(x)) return PatchStatus::singular;
-  return PatchStatus::solved;
+  recording_ = pivoting_ = false;
+  origin_ = {};
+  for (auto& list : given_) list.clear();
+  if (!ok) return nullptr;
+  return operators_.add(key_, std::move(made),
+                        operator_memory / static_cast<std::size_t>(std::max(1, base::thread_count())));
 }
 
 /// Do the targets of the patch depend on traces as those did that the operator was made for?
@@ -194,34 +198,9 @@ bool PatchSolver<D>::make_operator(const Patch<D>& patch, PatchOperator<D>& op) 
     to.from_first = transposed(arena_, c.from_first, 0, to.in);
     to.from_second = transposed(arena_, c.from_second, 0, to.in);
   }
-  // Into memory of its own, in the order of use.
-  to_pack_.clear();
-  for (auto& e : op.elements) to_pack_.push_back(&e.emit);
-  for (auto& j : op.joins)
-    for (Block* b : {&j.solve, &j.second_on_first, &j.first_rest_on_second, &j.second_rest_on_first})
-      to_pack_.push_back(b);
-  for (auto& j : op.joins) to_pack_.push_back(&j.from_first), to_pack_.push_back(&j.from_second);
-  for (auto& e : op.elements) {
-    to_pack_.push_back(&e.respond);
-    if (e.settle.data) to_pack_.push_back(&e.settle);
-    if (e.space.change.data) to_pack_.push_back(&e.space.change);
-    if (e.space.choice.space == LocalSpace::one_field)
-      to_pack_.push_back(&e.space.span), to_pack_.push_back(&e.space.undo);
-  }
-  std::size_t size = 0;
-  for (const Block* b : to_pack_)
-    size += static_cast<std::size_t>(b->rows) * static_cast<std::size_t>(b->stride);
-  op.memory.take_raw(size);
-  op.memory.release();
-  for (Block* b : to_pack_) {
-    const std::size_t count = static_cast<std::size_t>(b->rows) * static_cast<std::size_t>(b->stride);
-    double* to = op.memory.take_raw(count);
-    std::copy_n(b->data, count, to);
-    b->data = to;
-  }
+  pack(op);
   op.patch = placed_;
   op.link_count = link_count_, op.unknowns = unknowns_;
-  op.flops = 2.0 * static_cast<double>(size);
   return true;
 }
 
@@ -233,20 +212,26 @@ void PatchSolver<D>::keep_elements(PatchOperator<D>& op) {
     const Facet<D>& inflow = placed_.facets[i * (D + 2)];
     auto& to = op.elements[i];
     to.space = elements_[i];
-    to.flux = scaled_flux(inflow);
-    for (auto& row : to.flux)
-      for (double& x : row) x = -x;
+    // Of the energy-scaled state, times its scaling.
+    const Elastic<D>& m = *to.space.material;
+    const Matrix<NU> flux = scaled_flux(inflow);
+    for (int r = 0; r < NU; ++r) {
+      for (int j = 0; j < D; ++j) to.flux[r][j] = -flux[r][j] * std::sqrt(m.density);
+      for (int d = 0; d < strain_count<D>; ++d)
+        for (int c = 0; c < strain_count<D>; ++c) to.flux[r][D + d] -= flux[r][D + c] * m.to_energy[c][d];
+    }
     to.modes = polynomial_count(D, to.space.degree);
     to.open = components_[i].open;
     for (const Open& o : to.open) to.waves_in += o.in, to.waves_out += o.out;
     const Block &b = response_[i], &s = components_[i].s;
     const int given = b.columns - to.waves_in - 1;
     // Data count positive, waves negative: x = K^-1 (data - lifts).
-    to.respond = take(arena_, to.waves_in + given, b.rows);
+    const Block respond = take(arena_, to.waves_in + given, b.rows);
     for (int k = 0; k < b.rows; ++k) {
-      for (int j = 0; j < to.waves_in; ++j) to.respond.row(j)[k] = -b.row(k)[j];
-      for (int j = 0; j < given; ++j) to.respond.row(to.waves_in + j)[k] = b.row(k)[to.waves_in + 1 + j];
+      for (int j = 0; j < to.waves_in; ++j) respond.row(j)[k] = -b.row(k)[j];
+      for (int j = 0; j < given; ++j) respond.row(to.waves_in + j)[k] = b.row(k)[to.waves_in + 1 + j];
     }
+    keep_response(e, respond, to);
     to.emit = transposed(arena_, s, to.waves_in + 1, given);
     for (std::size_t n = 2; n < D + 2; ++n) {
       const std::size_t f = i * (D + 2) + n;
@@ -255,130 +240,102 @@ void PatchSolver<D>::keep_elements(PatchOperator<D>& op) {
       star_values(placed_.facets[f], {});
       op.maps.push_back(maps_[0]);
     }
-    if (to.space.choice.space == LocalSpace::trefftz) to.space.change = to.space.change_of_basis(arena_);
-    if (to.space.choice.space == LocalSpace::three_field) {
-      const Block matrix = displacement_matrix(e, inflow);
-      const Block inverse = take(arena_, matrix.rows, matrix.rows);
-      for (int k = 0; k < matrix.rows; ++k) inverse.row(k)[k] = 1.0;
-      pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(matrix.rows)));
-      if (factor(matrix, pivot_.data())) spacetime::solve(matrix, pivot_.data(), inverse);
-      to.settle = transposed(arena_, inverse, 0, inverse.columns);
-    }
+    to.space.span = to.space.undo = {};
   }
 }
 
+/// From waves and data to the coefficients of the solution.
 template <int D>
-void PatchSolver<D>::apply(const PatchOperator<D>& op, const Patch<D>& patch,
-                           std::span<const Solution<D>* const> older, std::span<Solution<D>> out) {
-  arena_.release();
-  unknowns_ = op.unknowns, flops_ = op.flops;
-  const std::size_t count = op.elements.size(), parts = count + op.joins.size();
-  input_.resize(std::max(input_.size(), count)), part_out_.resize(std::max(part_out_.size(), parts));
-  first_sent_.resize(std::max(first_sent_.size(), parts)), second_sent_.resize(first_sent_.size());
-  wave_.resize(std::max(wave_.size(), static_cast<std::size_t>(op.link_count)));
-
-  for (std::size_t e = 0; e < count; ++e) {
-    const auto& element = op.elements[e];
-    elements_[e] = element.space;
-    const int modes = element.modes, stride = padded(modes);
-    input_[e] = arena_.take_raw(static_cast<std::size_t>(element.respond.rows));
-    double* data = input_[e] + element.waves_in;
-    const std::size_t f = e * (D + 2);
-    const double* state = trace_modes(patch, patch.facets[f], older[f], element.space.degree, modes, false);
-    double* flux = arena_.take(static_cast<std::size_t>(NU * stride));
-    for (int i = 0; i < NU; ++i) {
-      for (int j = 0; j < NU; ++j)
-        if (element.flux[i][j] != 0.0)
-          axpy(stride, element.flux[i][j], state + (D + j) * stride, flux + i * stride);
-      data = std::copy_n(flux + i * stride, modes, data);
+void PatchSolver<D>::keep_response(int e, Block respond, typename PatchOperator<D>::Element& to) {
+  const ElementSpace<D>& space = elements_[static_cast<std::size_t>(e)];
+  const Facet<D>& inflow = placed_.facets[static_cast<std::size_t>(e * (D + 2))];
+  const int n = space.polynomials, nu = polynomial_count(D + 1, space.choice.degree), fields = NU * n;
+  to.respond = respond;
+  if (space.choice.space != LocalSpace::three_field) {
+    to.carry = rigid_fit(e, inflow);
+    to.carried = D + 1, to.carried_to = D + 2;
+  }
+  if (space.choice.space == LocalSpace::trefftz) to.restore = space.change_of_basis(arena_);
+  if (space.choice.space == LocalSpace::one_field) {
+    to.restore = take(arena_, space.unknowns, fields + D * nu);
+    Solution<D> out;
+    double* unit = arena_.take(static_cast<std::size_t>(space.unknowns));
+    for (int k = 0; k < space.unknowns; ++k) {
+      unit[k] = 1.0;
+      space.recover(unit, arena_, out);
+      unit[k] = 0.0;
+      std::copy(out.fields.begin(), out.fields.end(), to.restore.row(k));
+      std::copy(out.displacement.begin(), out.displacement.end(), to.restore.row(k) + fields);
     }
-    origin_ = patch.foot;
-    for (const int b : element.boundary) {
-      Facet<D> facet = op.patch.facets[static_cast<std::size_t>(b)];
-      facet.boundary = patch.facets[static_cast<std::size_t>(b)].boundary;
-      star_values(facet, {});
-      const FacetRule& rule = facet_rule(points_per_direction(facet));
-      std::fill_n(data, D * modes, 0.0);
-      for (int q = 0; q < rule.rule->points; ++q)
+  }
+  if (space.choice.space != LocalSpace::three_field) return;
+
+  const Block matrix = displacement_matrix(e, inflow), inverse = take(arena_, n, n),
+              by_volume = take(arena_, n, n),
+              &modes = FacetBasis<D>::get().modes(space.opposite(inflow.corner));
+  for (int k = 0; k < n; ++k) inverse.row(k)[k] = 1.0;
+  pivot_.resize(std::max(pivot_.size(), static_cast<std::size_t>(n)));
+  if (factor(matrix, pivot_.data())) spacetime::solve(matrix, pivot_.data(), inverse);
+  to.carried = to.modes, to.carried_to = n;
+  to.carry = take(arena_, D * to.carried, D * n);
+  const double weight = std::fabs(inflow.normal[D]), scale = 1.0 / std::sqrt(space.volume),
+               root = 1.0 / std::sqrt(space.material->density);
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < n; ++b) {
+      by_volume.row(b)[a] = space.volume * inverse.row(a)[b];
+      for (int c = 0; c < to.carried; ++c)
         for (int i = 0; i < D; ++i)
-          for (int j = 0; j < modes; ++j)
-            data[i * modes + j] += loads_[static_cast<std::size_t>(q)].v_minus[i] * rule.weighted.row(q)[j];
-      data += D * modes;
+          to.carry.row(i * to.carried + c)[i * n + a] += weight * inverse.row(a)[b] * modes.row(b)[c];
     }
-    origin_ = {};
-    part_out_[e] = arena_.take(static_cast<std::size_t>(element.emit.stride));
-    add_transposed(element.emit, input_[e] + element.waves_in, part_out_[e]);
-  }
-
-  for (std::size_t j = 0; j < op.joins.size(); ++j) {
-    const auto& join = op.joins[j];
-    const int a = join.first_shared, b = join.second_shared;
-    double *in = arena_.take_raw(static_cast<std::size_t>(a + b)),
-           *first = arena_.take(static_cast<std::size_t>(join.solve.stride)),
-           *second = arena_.take(static_cast<std::size_t>(join.second_on_first.stride)),
-           *to = arena_.take(static_cast<std::size_t>(join.out)),
-           *rest = arena_.take(static_cast<std::size_t>(join.first_rest_on_second.stride)),
-           *other_rest = arena_.take(static_cast<std::size_t>(join.second_rest_on_first.stride));
-    const double *h1 = part_out_[static_cast<std::size_t>(join.first)],
-                 *h2 = part_out_[static_cast<std::size_t>(join.second)];
-    for (const auto& m : join.of_first) std::copy_n(h1 + m.from, m.count, (m.shared ? in : to) + m.to);
-    for (const auto& m : join.of_second)
-      for (int k = 0; k < m.count; ++k)
-        if (m.shared)
-          in[a + m.to + k] = -h2[m.from + k];
-        else
-          to[m.to + k] = h2[m.from + k];
-    // a = (1 - S1 S2)^-1 (h1 - S1 h2), b = h2 - S2 a; then what the parts send elsewhere.
-    add_transposed(join.solve, in, first);
-    add_transposed(join.second_on_first, first, second);
-    for (int k = 0; k < b; ++k) second[k] = -in[a + k] - second[k];
-    add_transposed(join.first_rest_on_second, second, rest);
-    add_transposed(join.second_rest_on_first, first, other_rest);
-    for (int k = 0; k < join.first_rest; ++k) to[k] -= rest[k];
-    for (int k = join.first_rest; k < join.out; ++k) to[k] -= other_rest[k - join.first_rest];
-    first_sent_[j] = first, second_sent_[j] = second, part_out_[count + j] = to;
-  }
-  const auto incoming = [&](const std::vector<Open>& open, double* to) {
-    for (const Open& o : open) std::copy_n(wave_[static_cast<std::size_t>(o.wave ^ 1)], o.in, to + o.column);
-  };
-  for (std::size_t j = op.joins.size(); j-- > 0;) {
-    const auto& join = op.joins[j];
-    double* in = arena_.take_raw(static_cast<std::size_t>(join.in));
-    incoming(join.open, in);
-    for (const bool is_first : {true, false}) {
-      const Block& from = is_first ? join.from_first : join.from_second;
-      double* sent = is_first ? first_sent_[j] : second_sent_[j];
-      double* echo = arena_.take(static_cast<std::size_t>(from.stride));
-      add_transposed(from, in, echo);
-      for (int k = 0; k < from.columns; ++k) sent[k] -= echo[k];
-      for (const Open& o : join.shared)
-        wave_[static_cast<std::size_t>(is_first ? o.wave : o.wave ^ 1)] =
-            sent + (is_first ? o.row : o.column);
+  to.respond = take(arena_, respond.rows, fields + D * n);
+  const Block velocity = take(arena_, respond.rows, n), displacement = take_raw(arena_, respond.rows, n);
+  for (int i = 0; i < NU; ++i)
+    for (int k = 0; k < respond.rows; ++k) {
+      double* out = to.respond.row(k) + i * n;
+      if (i < D)
+        for (int a = 0; a < n; ++a) out[a] = scale * root * respond.row(k)[i * n + a];
+      for (int d = 0; i >= D && d < strain_count<D>; ++d)
+        if (const double s = scale * space.material->from_energy[i - D][d]; s != 0.0)
+          for (int a = 0; a < n; ++a) out[a] += s * respond.row(k)[(D + d) * n + a];
     }
-  }
-
-  for (std::size_t e = 0; e < count; ++e) {
-    const auto& element = op.elements[e];
-    incoming(element.open, input_[e]);
-    double* x = arena_.take(static_cast<std::size_t>(element.respond.stride));
-    add_transposed(element.respond, input_[e], x);
-    element.space.recover(x, arena_, out[e]);
-    // Its own corners, as after a restart.
-    out[e].map.set(patch.elements[e].corner);
-    if (element.space.choice.space != LocalSpace::three_field) {
-      rigid_motion(op.patch, patch, static_cast<int>(e), older, out[e]);
-      continue;
-    }
-    const std::size_t f = e * (D + 2);
-    settle(element, op.patch.facets[f],
-           trace_modes(patch, patch.facets[f], older[f], element.space.degree, element.modes, true), out[e]);
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < respond.rows; ++k) std::copy_n(to.respond.row(k) + i * n, n, velocity.row(k));
+    multiply(velocity, by_volume, displacement);
+    for (int k = 0; k < respond.rows; ++k)
+      std::copy_n(displacement.row(k), n, to.respond.row(k) + fields + i * n);
   }
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                                               \
-  template void PatchSolver<D>::put_columns(int, const Functional&, double, const Block&, int) const;       \
-  template PatchStatus PatchSolver<D>::solve_repeated(const Patch<D>&, std::span<const Solution<D>* const>, \
-                                                      std::span<Solution<D>>);
+/// Into memory of its own, in the order of use.
+template <int D>
+void PatchSolver<D>::pack(PatchOperator<D>& op) {
+  to_pack_.clear();
+  for (auto& e : op.elements) to_pack_.push_back(&e.emit);
+  for (auto& j : op.joins)
+    for (Block* b : {&j.solve, &j.second_on_first, &j.first_rest_on_second, &j.second_rest_on_first})
+      to_pack_.push_back(b);
+  for (auto& j : op.joins) to_pack_.push_back(&j.from_first), to_pack_.push_back(&j.from_second);
+  for (auto& e : op.elements)
+    for (Block* b : {&e.respond, &e.restore, &e.carry})
+      if (b->data) to_pack_.push_back(b);
+  std::size_t size = 0;
+  for (const Block* b : to_pack_)
+    size += static_cast<std::size_t>(b->rows) * static_cast<std::size_t>(b->stride);
+  op.memory.take_raw(size);
+  op.memory.release();
+  for (Block* b : to_pack_) {
+    const std::size_t count = static_cast<std::size_t>(b->rows) * static_cast<std::size_t>(b->stride);
+    double* to = op.memory.take_raw(count);
+    std::copy_n(b->data, count, to);
+    b->data = to;
+  }
+  op.flops = 2.0 * static_cast<double>(size);
+}
+
+#define CLEAVE_INSTANTIATE(D)                                                                         \
+  template void PatchSolver<D>::put_columns(int, const Functional&, double, const Block&, int) const; \
+  template const PatchOperator<D>* PatchSolver<D>::find_operator(const Patch<D>&);                    \
+  template const PatchOperator<D>* PatchSolver<D>::new_operator(const Patch<D>&);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)
 CLEAVE_INSTANTIATE(3)

@@ -84,21 +84,10 @@ void PatchSolver<D>::older_states(const Patch<D>& patch, const Facet<D>& facet,
 }
 
 template <int D>
-double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older,
-                                    int degree, int count, bool displacement) {
+double* PatchSolver<D>::older_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older,
+                                    int degree, int count, int first_row, int last_row) {
   constexpr int rows = D + NU;
-  const int first_row = displacement ? 0 : D, last_row = displacement ? D : rows;
-  const Elastic<D>& m = *elements_[static_cast<std::size_t>(facet.element)].material;
   const int stride = padded(count);
-  double* out = arena_.take(static_cast<std::size_t>(rows * stride));
-  double value[rows];
-  const auto energy_scaled = [&](const double* v, const double* strain) {  // after the displacement
-    for (int i = 0; i < D; ++i) value[D + i] = std::sqrt(m.density) * v[i];
-    for (int c = 0; c < strain_count<D>; ++c) {
-      value[2 * D + c] = 0.0;
-      for (int d = 0; d < strain_count<D>; ++d) value[2 * D + c] += m.to_energy[c][d] * strain[d];
-    }
-  };
   // The facet is one of the solution's element: find its corners there.
   std::array<int, D + 1> order{};
   int opposite = (D + 1) * (D + 2) / 2;
@@ -115,14 +104,17 @@ double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet
     opposite -= at;
   }
   if (!found) {
+    double* out = arena_.take(static_cast<std::size_t>(rows * stride));
     if (older) degree = std::max(degree, older->degree);
     const FacetRule& rule = facet_rule(degree + 1);
     facet_points(facet, *rule.rule);
     older_states(patch, facet, older);
+    double value[rows];
     for (std::size_t q = 0; q < points_.size(); ++q) {
       std::copy_n(states_[q].u.data(), D, value);
-      energy_scaled(states_[q].v.data(), states_[q].strain.data());
-      for (int r = 0; r < rows; ++r)
+      std::copy_n(states_[q].v.data(), D, value + D);
+      std::copy_n(states_[q].strain.data(), strain_count<D>, value + 2 * D);
+      for (int r = first_row; r < last_row; ++r)
         for (int c = 0; c < count; ++c)
           out[r * stride + c] += value[r] * rule.weighted.row(static_cast<int>(q))[c];
     }
@@ -140,19 +132,37 @@ double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet
   }
   // Renumbering corners keeps orthonormality: the transpose of a table is that of the way back.
   const Block& turned = FacetBasis<D>::get().turned(back);
-  double *raw = arena_.take(static_cast<std::size_t>(rows * stride)),
-         *now = same_order ? raw : arena_.take(static_cast<std::size_t>(rows * stride));
+  double* out = arena_.take(static_cast<std::size_t>(rows * stride));
+  const int known = opposite == 0 && !older->above.empty() ? polynomial_count(D, older->degree) : 0;
+  alignas(64) double trace[padded(Basis<D>::count)];
   for (int r = first_row; r < last_row; ++r) {
-    const double* coefficient = r < D ? older->displacement.data() + static_cast<std::ptrdiff_t>(r) * nu
-                                      : older->fields.data() + static_cast<std::ptrdiff_t>(r - D) * n;
-    double* to = raw + r * stride;
-    add_transposed(modes.data, modes.stride, r < D ? nu : n, stride, coefficient, to);
+    const double *coefficient = r < D ? older->displacement.data() + static_cast<std::ptrdiff_t>(r) * nu
+                                      : older->fields.data() + static_cast<std::ptrdiff_t>(r - D) * n,
+                 *from = trace;
+    if (count <= known)
+      from = older->above.data() + static_cast<std::ptrdiff_t>(r) * known;
+    else
+      multiply_vectors({modes.data, r < D ? nu : n, count, modes.stride}, coefficient, trace, 1);
+    double* to = out + r * stride;
+    if (same_order)
+      std::copy_n(from, count, to);
+    else
+      multiply_vectors({turned.data, count, count, turned.stride}, from, to, 1);
     std::fill(to + count, to + stride, 0.0);
-    if (same_order) continue;
-    add_transposed(turned.data, turned.stride, count, stride, to, now + r * stride);
-    std::fill(now + r * stride + count, now + (r + 1) * stride, 0.0);
   }
+  return out;
+}
+
+template <int D>
+double* PatchSolver<D>::trace_modes(const Patch<D>& patch, const Facet<D>& facet, const Solution<D>* older,
+                                    int degree, int count, bool displacement) {
+  constexpr int rows = D + NU;
+  double* now =
+      older_modes(patch, facet, older, degree, count, displacement ? 0 : D, displacement ? D : rows);
   if (displacement) return now;
+  const Elastic<D>& m = *elements_[static_cast<std::size_t>(facet.element)].material;
+  const int stride = padded(count);
+  double* out = arena_.take_raw(static_cast<std::size_t>(rows * stride));
   const base::Lanes root(std::sqrt(m.density));
   for (int c = 0; c < stride; c += base::lane_count) {
     for (int i = D; i < 2 * D; ++i)
@@ -249,6 +259,8 @@ double PatchSolver<D>::star_values(const Facet<D>& facet, std::span<const Soluti
   template int PatchSolver<D>::points_per_direction(const Facet<D>&, const Solution<D>*) const;           \
   template void PatchSolver<D>::facet_points(const Facet<D>&, const SimplexRule&) const;                  \
   template void PatchSolver<D>::older_states(const Patch<D>&, const Facet<D>&, const Solution<D>*) const; \
+  template double* PatchSolver<D>::older_modes(const Patch<D>&, const Facet<D>&, const Solution<D>*, int, \
+                                               int, int, int);                                            \
   template double* PatchSolver<D>::trace_modes(const Patch<D>&, const Facet<D>&, const Solution<D>*, int, \
                                                int, bool);                                                \
   template bool PatchSolver<D>::is_vertical(const Facet<D>&) const;                                       \

@@ -49,6 +49,8 @@ class Pitcher {
 
   /// A level front over the undeformed mesh. [time]
   Front<D> level_front(double time) const;
+  /// Do tents repeat?
+  bool repeats() const { return kept_ < 1.0; }
 
   Key key(const Front<D>& front, Vertex v) const {
     return {front.time[static_cast<std::size_t>(v)], mesh_.rank(v)};

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct FrontStatus {
 
 struct ScheduleOptions {
   bool verify = false;  ///< check every patch with fault_of()
+  /// Patches handed to the solver at one time, when as many are ready: equal ones share the work of reading
+  /// their operator. They share no simplex, and none is different for it.
+  int together = 1;
 };
 
 /// Where an advance pauses before its end. The tents until then, and those after it has been taken up again,
@@ -62,6 +66,8 @@ class Scheduler {
   /// Solves one patch and commits its fields, or neither. Called on any thread; patches in flight at one time
   /// share no simplex. Must not throw or start parallel loops.
   using Solve = std::function<Verdict(const Patch<D>&)>;
+  /// The same for several patches. @param verdicts [patches] all accepting on entry
+  using SolveSeveral = std::function<void(std::span<const Patch<D>> patches, std::span<Verdict> verdicts)>;
 
   explicit Scheduler(const Pitcher<D>& pitcher, ScheduleOptions options = {})
       : pitcher_(pitcher), options_(options) {}
@@ -72,6 +78,8 @@ class Scheduler {
   /// @param record  receives the tents with durations and dependencies when not null
   FrontStatus advance(Front<D>& front, double end_time, const Solve& solve, ScheduleRecord* record = nullptr,
                       const Pause& pause = {});
+  FrontStatus advance_several(Front<D>& front, double end_time, const SolveSeveral& solve,
+                              ScheduleRecord* record = nullptr, const Pause& pause = {});
 
  private:
   struct Run;

@@ -61,6 +61,9 @@ struct Solution {
   int displacement_degree = 0;
   std::vector<double> fields;        ///< [state_count][polynomials], coefficients in Basis<D + 1>
   std::vector<double> displacement;  ///< [D][polynomials]
+  /// Modes on the outflow facet of u, v and strain, as many as `degree` has, [D + state_count][modes], where
+  /// the solver had them at hand; else empty. They follow from the coefficients, to the bit.
+  std::vector<double> above;
 
   /// The polynomials at any event; it should lie in the element or on its boundary.
   PointState<D> at(const Event<D>& y) const;

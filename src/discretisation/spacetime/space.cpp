@@ -12,7 +12,7 @@ template <int D>
 bool ElementSpace<D>::set(SpaceChoice c, const Elastic<D>& m, const TrefftzTable<D>* trefftz,
                           const std::array<Event<D>, D + 2>& corners, double size, Arena& arena) {
   choice = c, material = &m, table = trefftz, corner = corners, volume = size;
-  span = {}, undo = {}, change = {};
+  span = {}, undo = {};
   degree = field_degree(c);
   polynomials = polynomial_count(D + 1, degree);
   unknowns = unknown_count<D>(c);
@@ -136,6 +136,7 @@ void ElementSpace<D>::recover(const double* x, Arena& arena, Solution<D>& out) c
   out.degree = degree, out.displacement_degree = pu;
   out.fields.assign(static_cast<std::size_t>(state_count<D> * n), 0.0);
   out.displacement.assign(static_cast<std::size_t>(D * nu), 0.0);
+  out.above.clear();
 
   if (choice.space == LocalSpace::trefftz) return recover_trefftz(x, arena, out);
   // Energy-scaled coefficients, then velocity and strain.

@@ -31,14 +31,15 @@ struct TrefftzTable {
   Arena memory;
   TrefftzTable(const Elastic<D>& material, int degree);
 
-  /// Coefficients of the sum of the functions times x. @param out [components][monomials], overwritten
-  /// @param scratch [components * spread()]
-  void sum(const double* x, double* scratch, const Block& out) const;
+  /// Coefficients of the sum of the functions times x, a vector or several side by side (multiply_vectors()):
+  /// u / L, velocity and strain.
+  /// @param out [components][monomials][width], overwritten @param scratch [components * spread()]
+  void sum(const double* x, double* scratch, double* out, int width) const;
   int spread() const { return spread_; }
 
  private:
   void orthonormalise();
-  void compress();
+  void compress(const Elastic<D>& material);
 
   /// What functions add to eight monomials of one component. Monomials are sorted by the parity of their
   /// exponents: isotropy leaves a function one parity in each component.
@@ -50,12 +51,14 @@ struct TrefftzTable {
   Block terms_;                ///< [term][8]
   std::vector<int> place_;     ///< [monomial]
   int spread_ = 0;             ///< places
+  /// The same sums one by one, where lanes are vectors.
+  struct Single {
+    int function;
+    double value;
+  };
+  std::vector<Single> singles_;
+  std::vector<int> single_first_;  ///< [component][monomial], and the end
 };
-
-/// Monomials of D + 1 scaled coordinates up to `degree`, sorted by degree, eight points at a time.
-/// @param x     [D + 1] @param value [monomials], `stride` doubles from one to the next
-template <int D>
-void monomials(const base::Lanes* x, int degree, double* value, std::ptrdiff_t stride);
 
 /// Points from whose values a polynomial is restored.
 template <int M>
@@ -90,7 +93,6 @@ struct ElementSpace {
   Block undo;  ///< one field, [unknowns][unknowns]: from the orthonormal unknowns to the first spanning set
   Event<D> centre{};
   double length = 0.0;  ///< L of the Trefftz functions
-  Block change;         ///< Trefftz, [monomials][polynomials] of degree P; no data: made when needed
 
   /// False if the element is degenerate.
   bool set(SpaceChoice choice, const Elastic<D>& material, const TrefftzTable<D>* table,
@@ -101,7 +103,8 @@ struct ElementSpace {
   /// @param x [unknowns]
   void recover(const double* x, Arena& arena, Solution<D>& out) const;
 
-  /// Trefftz: the polynomials of the scaled monomials, for `change`.
+  /// Trefftz: the polynomials of the scaled monomials, [monomials][polynomials] of degree P. None has a
+  /// higher degree than its monomial.
   Block change_of_basis(Arena& arena) const;
 
   /// Modes on a facet of the functions under `span`: [functions][modes]; or their values at the points times

@@ -42,7 +42,14 @@ PointState<D> difference(const PointState<D>& a, const PointState<D>& b) {
 
 template <int D>
 void PatchSolver<D>::verify(const Patch<D>& patch, std::span<const Solution<D>* const> older,
-                            std::span<const Solution<D>> solution, Verify& out) const {
+                            std::span<const Solution<D>> solution, Verify& out) {
+  // It need not be the patch solved last.
+  if (elements_.size() < patch.elements.size()) elements_.resize(patch.elements.size());
+  for (std::size_t e = 0; e < patch.elements.size(); ++e) {
+    ElementSpace<D>& space = elements_[e];
+    space.material = solution[e].material, space.degree = solution[e].degree;
+    space.corner = patch.elements[e].corner, space.volume = patch.elements[e].volume;
+  }
   out = {};
   out.element_dissipation.assign(patch.elements.size(), 0.0);
   std::vector<Vector<D>> residual(patch.elements.size(), Vector<D>{});
@@ -165,7 +172,7 @@ void PatchSolver<D>::verify(const Patch<D>& patch, std::span<const Solution<D>* 
 
 #define CLEAVE_INSTANTIATE(D)                                                                \
   template void PatchSolver<D>::verify(const Patch<D>&, std::span<const Solution<D>* const>, \
-                                       std::span<const Solution<D>>, Verify&) const;
+                                       std::span<const Solution<D>>, Verify&);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)
 CLEAVE_INSTANTIATE(3)

@@ -6,6 +6,7 @@
 #include "discretisation/spacetime/basis.hpp"
 #include "discretisation/spacetime/dense.hpp"
 #include "discretisation/spacetime/space.hpp"
+#include "discretisation/spacetime/vectors.hpp"
 
 namespace cleave::discretisation::spacetime::test {
 namespace {
@@ -94,15 +95,58 @@ TEST(SpacetimeDense, SparseSumsOfTrefftzFunctions) {
       const int n = polynomial_count(3, degree), c = TrefftzTable<2>::components;
       double* x = arena.take(static_cast<std::size_t>(table.count));
       for (int f = 0; f < table.count; ++f) x[f] = noise(f);
-      const Block out = take(arena, c, n);
-      table.sum(x, arena.take(static_cast<std::size_t>(c * table.spread())), out);
+      const auto scratch = static_cast<std::size_t>(c * table.spread()),
+                 size = static_cast<std::size_t>(c * n);
+      double *out = arena.take(size), *wide = arena.take(8 * size),
+             *many = arena.take(8 * static_cast<std::size_t>(table.count));
+      table.sum(x, arena.take(scratch), out, 1);
+      for (int f = 0; f < table.count; ++f) many[8 * f + 3] = x[f], many[8 * f + 5] = -x[f];
+      table.sum(many, nullptr, wide, 8);
       for (int i = 0; i < c; ++i)
         for (int a = 0; a < n; ++a) {
           double sum = 0.0;
-          for (int f = 0; f < table.count; ++f) sum += x[f] * table.all.row(f)[a * table.columns + i];
-          EXPECT_NEAR(out.row(i)[a], sum, 1e-11 * (1.0 + std::fabs(sum)));
+          for (int f = 0; f < table.count; ++f) {
+            const double* of = table.all.row(f) + a * table.columns;
+            double value = i < 2 ? of[i] : of[i] / std::sqrt(m->density);
+            if (i >= 4) {
+              value = 0.0;
+              for (std::size_t d = 0; d < 3; ++d)
+                value += m->from_energy[static_cast<std::size_t>(i - 4)][d] * of[4 + d];
+            }
+            sum += x[f] * value;
+          }
+          const int at = i * n + a;
+          EXPECT_NEAR(out[at], sum, 1e-11 * (1.0 + std::fabs(sum)));
+          EXPECT_EQ(wide[8 * at + 3], out[at]);
+          EXPECT_EQ(wide[8 * at + 5], -out[at]);
+          EXPECT_EQ(wide[8 * at], 0.0);
         }
     }
+}
+
+TEST(SpacetimeDense, VectorsHaveTheSameBitsInAnyCompany) {
+  for (const int columns : {1, 3, 8, 20, 25, 49, 95, 150}) {
+    Arena arena;
+    const int rows = 31;
+    const Block t = take(arena, rows, columns);
+    double *x = arena.take(8 * rows), *y = arena.take(8 * static_cast<std::size_t>(t.stride)),
+           *one = arena.take(rows), *alone = arena.take(static_cast<std::size_t>(t.stride));
+    for (int i = 0; i < rows; ++i) {
+      for (int j = 0; j < columns; ++j) t.row(i)[j] = noise(100 * i + j);
+      for (int v = 0; v < 8; ++v) x[8 * i + v] = noise(7 * i + 1000 * v);
+    }
+    multiply_vectors(t, x, y, 8);
+    for (int v = 0; v < 8; ++v) {
+      for (int i = 0; i < rows; ++i) one[i] = x[8 * i + v];
+      multiply_vectors(t, one, alone, 1);
+      for (int j = 0; j < columns; ++j) {
+        double sum = 0.0;
+        for (int i = 0; i < rows; ++i) sum += one[i] * t.row(i)[j];
+        EXPECT_NEAR(alone[j], sum, 1e-13);
+        EXPECT_EQ(alone[j], y[8 * j + v]) << columns << " columns, vector " << v;
+      }
+    }
+  }
 }
 
 }  // namespace

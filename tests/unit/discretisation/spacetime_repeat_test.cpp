@@ -1,7 +1,6 @@
 // Patches over tents that repeat share an operator: the same solution, the same bits in any order.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <mutex>
 
 #include "base/threads.hpp"
@@ -35,12 +34,14 @@ SpaceMesh<2> grid(int n, const Elastic<2>& m, double jiggle = 0.0) {
 
 struct Advance {
   std::int64_t patches = 0, reused = 0;
+  std::size_t together = 0;  ///< most patches handed over at one time
   double momentum = 0.0, energy = 0.0;
   double difference = 0.0;           ///< to each patch solved alone, relative
   std::vector<double> coefficients;  ///< at the end
 };
 
-Advance advance(const SpaceMesh<2>& mesh, const Elastic<2>& m, SpaceChoice space, double end, bool alone) {
+Advance advance(const SpaceMesh<2>& mesh, const Elastic<2>& m, SpaceChoice space, double end, bool alone,
+                int together = 1) {
   Problem<2> problem;
   problem.materials = {m};
   problem.spaces = {space};
@@ -58,48 +59,62 @@ Advance advance(const SpaceMesh<2>& mesh, const Elastic<2>& m, SpaceChoice space
   std::mutex guard;
   std::vector<std::unique_ptr<PatchSolver<2>>> idle;
   Advance run;
-  const FrontStatus status =
-      Scheduler<2>(pitcher, {.verify = true}).advance(front, end, [&](const Patch<2>& patch) {
-        std::unique_ptr<PatchSolver<2>> solver;
-        {
-          const std::lock_guard lock(guard);
-          if (!idle.empty()) solver = std::move(idle.back()), idle.pop_back();
-        }
-        if (!solver) solver = std::make_unique<PatchSolver<2>>(problem);
-        std::vector<const Solution<2>*> older(patch.facets.size(), nullptr);
-        for (std::size_t f = 0; f < older.size(); ++f) {
-          const auto e = static_cast<std::size_t>(patch.facets[f].element);
-          const auto& below = under[static_cast<std::size_t>(patch.elements[e].simplex)];
-          if (patch.facets[f].kind == FacetKind::inflow && below.material) older[f] = &below;
-        }
-        std::vector<Solution<2>> out(patch.elements.size());
-        const PatchStatus solved = solver->solve(patch, older, out);
-        Verify check;
-        solver->verify(patch, older, out, check);
-        double difference = 0.0, size = 0.0;
-        if (alone) {
-          Patch<2> same = patch;
-          same.shape = nullptr;
-          std::vector<Solution<2>> other(patch.elements.size());
-          EXPECT_EQ(solver->solve(same, older, other), PatchStatus::solved);
-          for (std::size_t e = 0; e < out.size(); ++e) {
-            for (std::size_t a = 0; a < out[e].fields.size(); ++a) {
-              difference = std::max(difference, std::fabs(out[e].fields[a] - other[e].fields[a]));
-              size = std::max(size, std::fabs(other[e].fields[a]));
-            }
-            for (std::size_t a = 0; a < out[e].displacement.size(); ++a)
-              difference = std::max(difference, std::fabs(out[e].displacement[a] - other[e].displacement[a]));
+  const auto solve = [&](std::span<const Patch<2>> patches, std::span<Verdict> verdicts) {
+    std::unique_ptr<PatchSolver<2>> solver;
+    {
+      const std::lock_guard lock(guard);
+      if (!idle.empty()) solver = std::move(idle.back()), idle.pop_back();
+    }
+    if (!solver) solver = std::make_unique<PatchSolver<2>>(problem);
+    std::vector<std::vector<const Solution<2>*>> older(patches.size());
+    std::vector<std::vector<Solution<2>>> out(patches.size());
+    std::vector<PatchJob<2>> jobs;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const Patch<2>& patch = patches[k];
+      older[k].assign(patch.facets.size(), nullptr);
+      for (std::size_t f = 0; f < older[k].size(); ++f) {
+        const auto e = static_cast<std::size_t>(patch.facets[f].element);
+        const auto& below = under[static_cast<std::size_t>(patch.elements[e].simplex)];
+        if (patch.facets[f].kind == FacetKind::inflow && below.material) older[k][f] = &below;
+      }
+      out[k].resize(patch.elements.size());
+      jobs.push_back({.patch = &patch, .older = older[k], .out = out[k]});
+    }
+    solver->solve(jobs);
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const Patch<2>& patch = patches[k];
+      if (jobs[k].status != PatchStatus::solved) verdicts[k].kind = Verdict::fail;
+      Verify check;
+      solver->verify(patch, older[k], out[k], check);
+      double difference = 0.0, size = 0.0;
+      if (alone) {
+        Patch<2> same = patch;
+        same.shape = nullptr;
+        std::vector<Solution<2>> other(patch.elements.size());
+        EXPECT_EQ(solver->solve(same, older[k], other), PatchStatus::solved);
+        for (std::size_t e = 0; e < out[k].size(); ++e) {
+          const Solution<2>& here = out[k][e];
+          for (std::size_t a = 0; a < here.fields.size(); ++a) {
+            difference = std::max(difference, std::fabs(here.fields[a] - other[e].fields[a]));
+            size = std::max(size, std::fabs(other[e].fields[a]));
           }
+          for (std::size_t a = 0; a < here.displacement.size(); ++a)
+            difference = std::max(difference, std::fabs(here.displacement[a] - other[e].displacement[a]));
         }
-        for (std::size_t e = 0; e < out.size(); ++e)
-          under[static_cast<std::size_t>(patch.elements[e].simplex)] = std::move(out[e]);
-        const std::lock_guard lock(guard);
-        run.momentum = std::max(run.momentum, check.momentum);
-        run.energy = std::max(run.energy, check.energy);
-        if (alone) run.difference = std::max(run.difference, difference / size);
-        idle.push_back(std::move(solver));
-        return Verdict{solved == PatchStatus::solved ? Verdict::accept : Verdict::fail};
-      });
+      }
+      for (std::size_t e = 0; e < out[k].size(); ++e)
+        under[static_cast<std::size_t>(patch.elements[e].simplex)] = std::move(out[k][e]);
+      const std::lock_guard lock(guard);
+      run.momentum = std::max(run.momentum, check.momentum);
+      run.energy = std::max(run.energy, check.energy);
+      run.together = std::max(run.together, patches.size());
+      if (alone) run.difference = std::max(run.difference, difference / size);
+    }
+    const std::lock_guard lock(guard);
+    idle.push_back(std::move(solver));
+  };
+  const FrontStatus status =
+      Scheduler<2>(pitcher, {.verify = true, .together = together}).advance_several(front, end, solve);
   EXPECT_TRUE(status.ok) << status.what;
   run.patches = status.patches;
   for (const auto& solver : idle) run.reused += solver->reused();
@@ -128,19 +143,26 @@ TEST(SpacetimeRepeat, SharedOperatorsSolveThePatch) {
   }
 }
 
-TEST(SpacetimeRepeat, SameBitsForAnyNumberOfThreads) {
+/// Alone or with equal ones, on any thread.
+TEST(SpacetimeRepeat, SameBitsInAnyCompany) {
   Elastic<2> m;
   ASSERT_EQ(make_isotropic<2>(1.0, 2.5, 0.25, PlaneKind::strain, m), "");
   const SpaceMesh<2> mesh = grid(7, m);
-  Advance first;
-  for (const int threads : {1, 2, 3, 7}) {
-    base::set_thread_count(threads);
-    Advance run = advance(mesh, m, {LocalSpace::trefftz, 3}, 0.6, false);
+  for (const SpaceChoice space :
+       {SpaceChoice{LocalSpace::one_field, 2}, {LocalSpace::three_field, 2}, {LocalSpace::trefftz, 3}}) {
     base::set_thread_count(1);
-    if (threads == 1)
-      first = std::move(run);
-    else
-      EXPECT_EQ(first.coefficients, run.coefficients) << threads << " threads";
+    const Advance alone = advance(mesh, m, space, 0.4, false);
+    EXPECT_EQ(alone.together, 1u);
+    for (const int threads : {1, 2, 3, 7}) {
+      base::set_thread_count(threads);
+      const Advance run = advance(mesh, m, space, 0.4, false, 16);
+      base::set_thread_count(1);
+      EXPECT_EQ(run.patches, alone.patches);
+      EXPECT_EQ(run.coefficients, alone.coefficients) << threads << " threads";
+      if (threads == 1) {
+        EXPECT_EQ(run.together, 16u);
+      }
+    }
   }
 }
 
