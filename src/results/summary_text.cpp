@@ -1,6 +1,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/threads.hpp"
 #include "results/summary.hpp"
@@ -9,23 +10,57 @@
 namespace cleave::results {
 namespace {
 
-/// One part: its mass, then a line per axis with length and diameter before and after.
+/// Is a part a round bar or ball about an axis at the start? Its diameter is then that of its box.
+bool round(const Extent& before, const PartAxes& axes, int k) {
+  double width[2];
+  for (int i = 0; i < 2; ++i) {
+    const int j = (k + 1 + i) % 3;
+    width[i] = before.length(j) * (axes.symmetry[j] ? 2.0 : 1.0);
+  }
+  const double wide = std::max(width[0], width[1]), narrow = std::min(width[0], width[1]);
+  return narrow > 0.95 * wide && before.diameter[k] < 1.05 * wide;
+}
+
+/// Is the middle of the part still on that axis? Else its distance from there is no diameter.
+bool on_axis(const Extent& before, const Extent& after, const PartAxes& axes, int k) {
+  for (int i = 1; i < 3; ++i) {
+    const int j = (k + i) % 3;
+    const double off = 0.5 * (after.low[j] + after.high[j]) - axes.centre[j];
+    if (!axes.symmetry[j] && std::abs(off) > 0.05 * before.diameter[k]) return false;
+  }
+  return true;
+}
+
+/// One part: its mass, then a line per axis with its length before and after, and its diameter about the axes
+/// about which it is round.
 void append_part(std::string& out, const model::Part& part, double mass, const Extent& before,
                  const Extent& after, const PartAxes& axes) {
   append_format(out, "\npart %lld  %s: %zu elements, mass %.6g", static_cast<long long>(part.id),
                 part.title.c_str(), before.elements, mass);
   if (after.elements < before.elements) append_format(out, ", %zu eroded", before.elements - after.elements);
-  out += "\n  axis      length before        after   change    diameter before        after   change\n";
+  const bool any = round(before, axes, 0) || round(before, axes, 1) || round(before, axes, 2);
+  out += "\n  axis      length before        after   change";
+  out += any ? "    diameter before        after   change\n" : "\n";
   const auto change = [](double from, double to) { return from > 0.0 ? 100.0 * (to / from - 1.0) : 0.0; };
+  bool mirrored = false;
   for (int k = 0; k < 3; ++k) {
-    append_format(out, "  %c          %12.6g %12.6g %+7.2f%%       %12.6g %12.6g %+7.2f%%\n", "xyz"[k],
-                  before.length(k), after.length(k), change(before.length(k), after.length(k)),
-                  before.diameter[k], after.diameter[k], change(before.diameter[k], after.diameter[k]));
+    append_format(out, "  %c          %12.6g %12.6g %+7.2f%%", "xyz"[k], before.length(k), after.length(k),
+                  change(before.length(k), after.length(k)));
+    if (round(before, axes, k)) {
+      append_format(out, "       %12.6g", before.diameter[k]);
+      if (on_axis(before, after, axes, k))
+        append_format(out, " %12.6g %+7.2f%%", after.diameter[k],
+                      change(before.diameter[k], after.diameter[k]));
+      else
+        out += "  off its axis";
+      mirrored = true;
+    }
+    out += '\n';
   }
   for (int k = 0; k < 3; ++k)
     if (axes.symmetry[k])
-      append_format(out, "  symmetric about the plane %c = %.6g; the diameters count the other half\n",
-                    "xyz"[k], axes.centre[k]);
+      append_format(out, "  symmetric about the plane %c = %.6g%s\n", "xyz"[k], axes.centre[k],
+                    mirrored ? "; the diameters count the other half" : "");
 }
 
 }  // namespace
