@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes plate_impact.k, a steel ball shot through a plate, to standard output.
+"""Writes plate_impact.k, a rigid ball shot through a plate, to standard output.
 
 usage: make.py [CORE RINGS LAYERS BALL]        (20 8 5 6: 5200 hexahedra of the plate, 648 of the ball)
 
@@ -17,7 +17,7 @@ from round_section import round_section  # noqa: E402
 PLATE, THICKNESS, BALL, SPEED, GAP = 20.0, 5.0, 5.0, 600.0, 0.05
 
 HEAD = """\
-$@ case    a steel ball shot through an elastoplastic plate with erosion, {elements} hexahedra
+$@ case    a rigid ball shot through an elastoplastic plate with erosion, {elements} hexahedra
 $@ source  conservation: momentum is what the support takes, energy; the ball is slowed and gets through (catalogue L02)
 $@ expect  summary energy.ratio_low  1.0  abs=0.01 (model: energy is kept to 1 %)
 $@ expect  summary energy.ratio_high  1.0  abs=0.01 (model: energy is kept to 1 %)
@@ -25,7 +25,7 @@ $@ expect  z_rigid_body_velocity part=2  -430.0  abs=60 (model: slowed, never st
 $@ expect  z_rigid_body_velocity part=2 min  -600.0  abs=1 (model: the ball is never pushed forward)
 $@ vary    threads=1,2
 $
-$ A ball of steel, 10 mm across, hits a plate of a soft metal, 5 mm thick and 40 mm across, at 600 m/s. Elements that
+$ A rigid ball of steel, 10 mm across, hits a plate of a soft metal, 5 mm thick and 40 mm across, at 600 m/s. Elements that
 $ have been strained too far are deleted; the contact goes on with the faces this lays bare.
 $ Units: g, mm, ms, N, MPa. Written by make.py.
 $
@@ -61,6 +61,8 @@ $       DT
     1.0e-4
 *DATABASE_SLEOUT
     1.0e-4
+*DATABASE_RBDOUT
+    1.0e-4
 $
 $--- the plate and the ball ---------------------------------------------------------------------
 *PART
@@ -83,9 +85,14 @@ $      MID        RO         E        PR      SIGY      ETAN      BETA
 $ FS: the plastic strain at which an element is deleted
 $      SRC       SRP        FS        VP
        0.0       0.0       0.8       0.0
-*MAT_ELASTIC
+$ The ball does not deform; E and PR give its contact stiffness.
+*MAT_RIGID
 $      MID        RO         E        PR
          2   7.85e-3     2.1e5       0.3
+$      CMO
+       0.0
+$ (no axes of its own)
+
 $ Faces against faces (SOFT 2), and the surface follows what is deleted.
 *CONTACT_ERODING_SURFACE_TO_SURFACE
 $    SURFA     SURFB  SURFATYP  SURFBTYP   SABOXID   SBBOXID      SAPR      SBPR
