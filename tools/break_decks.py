@@ -48,6 +48,8 @@ CHANGES = {
     "rigid_pushed": [RIGID + (1.2,), ("force", "*LOAD_RIGID_BODY", 0, 3, 1.2)],
     "rigid_rolling": [("FS and FD", "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", 1, 0, 1.2),
                       ("inertia", "*PART_INERTIA", 3, 3, 1.2)],
+    "rigid_walls": [("RWPNAL off", "*CONTROL_CONTACT", 0, 1, "=0"), ("FRIC", "*RIGIDWALL_PLANAR_FINITE_ID", 2, 6, 1.2),
+                    ("MASS", "*RIGIDWALL_PLANAR_MOVING_ID", 3, 0, 1.2)],
     "rigid_top": [("spin", "*INITIAL_VELOCITY_RIGID_BODY", 0, 6, 1.2)],
     "rigid_tumbling": [("damping of 1e-9 added", "*DAMPING_GLOBAL\n         0      1e-9")],
     "simple_shear": [("PR", "*MAT_ELASTIC", 0, POISSON, 1.2)],

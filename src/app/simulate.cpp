@@ -22,6 +22,7 @@ std::unique_ptr<discretisation::World> world_of(Reading& reading) {
   if (discretisation::spacetime::dimension_of(reading.model) > 0)
     world->model = &reading.model;  // its parts have no blocks: the solver makes them computable
   else {
+    solver::join_ties(reading.model, reading.diagnostics);
     solver::move_apart(reading.model, reading.diagnostics);
     *world = discretisation::build(reading.model, reading.diagnostics);
   }

@@ -19,6 +19,14 @@ struct ContactSide {
   std::vector<Index> nodes;       ///< of the segments, or of the node set; ascending
 };
 
+/// *PART_CONTACT: friction of a part, for contacts that ask for it (FS = -1).
+struct PartFriction {
+  double static_friction = 0.0, dynamic_friction = 0.0;  ///< FS, FD [-]
+  double decay = 0.0;                                    ///< DC [time/length]
+  double viscous_limit = 0.0;                            ///< VC [stress]
+  bool operator==(const PartFriction&) const = default;
+};
+
 struct Contact {
   enum class Search : std::uint8_t {
     one_way,  ///< nodes of side A against faces of side B
@@ -36,16 +44,21 @@ struct Contact {
   bool eroding = false;    ///< new faces appear where elements are deleted
   bool tied = false;
   bool offset = false;        ///< tied: by springs that keep the distance, not by projection
+  bool joins = false;         ///< tied, but not _OFFSET alone: nodes over faces of rigid bodies become theirs
   double tie_distance = 0.0;  ///< SAST < 0: farthest distance that is tied; 0: 5 % of a face [length]
   ContactSide a, b;           ///< b is empty for a single surface
 
   double static_friction = 0.0, dynamic_friction = 0.0;  ///< FS, FD, times FSF [-]
   double friction_decay = 0.0;                           ///< DC [time/length]
   double viscous_limit = 0.0;  ///< VC times VSF: largest friction per area; 0 none [stress]
-  double damping = 0.0;        ///< VDC / 100: share of critical damping [-]
+  std::vector<PartFriction>
+      part_friction;     ///< FS = -1 [part]: the mean of both parts' own counts; else empty
+  double damping = 0.0;  ///< VDC / 100: share of critical damping [-]
   double birth = 0.0, death = forever;
   double scale_a = 1.0, scale_b = 1.0;  ///< SFSA, SFSB: of the stiffness of each side [-]
 
+  double solid_thickness = 0.0;  ///< SLDTHK: surfaces of solids lie half of it outside their nodes [length]
+  double solid_modulus = 0.0;    ///< SLDSTF: in place of the bulk modulus of solids; 0 none [stress]
   int soft = 0;              ///< SOFT: 0 stiffness from moduli, 1 from masses and step, 2 segment to segment
   double soft_scale = 0.1;   ///< SOFSCL
   double extension = 1.025;  ///< MAXPAR: how far a face reaches beyond its free edges

@@ -130,8 +130,8 @@ bool same(const RigidWall& a, const RigidWall& b) {
          close(a.normal, b.normal) && a.finite == b.finite && close(a.edge_l, b.edge_l) &&
          close(a.edge_m, b.edge_m) && a.length_l == b.length_l && a.length_m == b.length_m &&
          a.shape == b.shape && a.geometric == b.geometric && a.length_n == b.length_n &&
-         a.radius == b.radius && a.interior == b.interior && a.friction == b.friction &&
-         a.velocity_limit == b.velocity_limit && a.orthotropic == b.orthotropic &&
+         a.radius == b.radius && a.interior == b.interior && a.penalty == b.penalty &&
+         a.friction == b.friction && a.velocity_limit == b.velocity_limit && a.orthotropic == b.orthotropic &&
          same(a.static_friction, b.static_friction) && same(a.dynamic_friction, b.dynamic_friction) &&
          same(a.friction_decay, b.friction_decay) && close(a.friction_axis, b.friction_axis) &&
          same(a.friction_node, b.friction_node) && a.mass == b.mass && a.speed == b.speed &&
@@ -174,12 +174,14 @@ bool same(const ContactSide& a, const ContactSide& b) {
 bool same(const Contact& a, const Contact& b) {
   return a.keyword == b.keyword && a.id == b.id && a.named == b.named && a.title == b.title &&
          a.search == b.search && a.automatic == b.automatic && a.eroding == b.eroding && a.tied == b.tied &&
-         a.offset == b.offset && a.tie_distance == b.tie_distance && same(a.a, b.a) && same(a.b, b.b) &&
-         a.static_friction == b.static_friction && a.dynamic_friction == b.dynamic_friction &&
-         a.friction_decay == b.friction_decay && a.viscous_limit == b.viscous_limit &&
-         a.damping == b.damping && a.birth == b.birth && a.death == b.death && a.scale_a == b.scale_a &&
-         a.scale_b == b.scale_b && a.soft == b.soft && a.soft_scale == b.soft_scale &&
-         a.extension == b.extension && a.ignore == b.ignore && a.release == b.release;
+         a.offset == b.offset && a.joins == b.joins && a.tie_distance == b.tie_distance && same(a.a, b.a) &&
+         same(a.b, b.b) && a.static_friction == b.static_friction &&
+         a.dynamic_friction == b.dynamic_friction && a.friction_decay == b.friction_decay &&
+         a.viscous_limit == b.viscous_limit && a.part_friction == b.part_friction && a.damping == b.damping &&
+         a.birth == b.birth && a.death == b.death && a.scale_a == b.scale_a && a.scale_b == b.scale_b &&
+         a.soft == b.soft && a.soft_scale == b.soft_scale && a.solid_thickness == b.solid_thickness &&
+         a.solid_modulus == b.solid_modulus && a.extension == b.extension && a.ignore == b.ignore &&
+         a.release == b.release;
 }
 bool same(const ContactControl& a, const ContactControl& b) {
   return a.stiffness == b.stiffness && a.penalty == b.penalty && a.orient == b.orient &&

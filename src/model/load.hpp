@@ -119,7 +119,9 @@ struct RigidWall {
   bool motion_is_displacement = false;  ///< else velocity
   Vector motion_direction{1, 0, 0};     ///< unit
   double birth = 0.0, death = forever;
-  int soft_cycles = 0;                       ///< _FORCES SOFT: cycles over which the velocity is zeroed
+  double penalty = 0.0;  ///< RWPNAL: a planar wall meets nodes by springs of this scale; > 0 those of rigid
+                         ///< bodies, < 0 all, 0: none, and nodes of rigid bodies pass [-]
+  int soft_cycles = 0;   ///< _FORCES SOFT: cycles over which the velocity is zeroed
   std::string keyword = "RIGIDWALL_PLANAR";  ///< for messages
   deck::Place place{};
 };

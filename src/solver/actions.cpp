@@ -17,9 +17,9 @@ std::vector<std::unique_ptr<Constraint>> make_constraints(const discretisation::
   ConstraintList list;
   add_dashpots(world, list, diagnostics);
   add_tied_nodes(world, list, diagnostics);
-  add_rigid_walls(*world.model, list, diagnostics);
+  add_rigid_walls(world, list, diagnostics);
   add_held_nodes(*world.model, list, diagnostics);
-  add_rigid_bodies(world, list);
+  add_rigid_bodies(world, list, diagnostics);
   return list;
 }
 

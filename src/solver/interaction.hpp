@@ -44,6 +44,11 @@ class Interaction {
 /// contacts with IGNORE 0, and says so. Changes positions of the mesh.
 void move_apart(model::Model& model, deck::Diagnostics& diagnostics);
 
+/// Before anything is computed: nodes that a tie puts on faces of a rigid body become extra nodes of the body
+/// (all ties but those by springs alone), with a note. Errors: the node is held, or of another body; the tie
+/// begins or ends within the run.
+void join_ties(model::Model& model, deck::Diagnostics& diagnostics);
+
 /// One for each contact that is not a tie of nodes. Faces that lead nowhere, and what penetrates at the
 /// start, are diagnostics.
 std::vector<std::unique_ptr<Interaction>> make_interactions(const discretisation::World& world,

@@ -1,6 +1,7 @@
 /// *CONTACT_* between surfaces of solids and of shells that do not deform, and *CONTROL_CONTACT.
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "model/keyword/handler.hpp"
@@ -12,9 +13,9 @@ namespace {
 
 /// Which side of the card is read: the names of its columns.
 struct Columns {
-  std::string_view name, type, scale;
+  std::string_view name, type, box;
 };
-constexpr Columns columns_a{"SURFA", "SURFATYP", "SFSA"}, columns_b{"SURFB", "SURFBTYP", "SFSB"};
+constexpr Columns columns_a{"SURFA", "SURFATYP", "SABOXID"}, columns_b{"SURFB", "SURFBTYP", "SBBOXID"};
 
 void faces_to_nodes(ContactSide& side) {
   for (const Segment& face : side.segments) side.nodes.insert(side.nodes.end(), face.node, face.node + 4);
@@ -106,13 +107,66 @@ bool take_side(Draft& draft, const Entry& entry, const Columns& columns, bool no
   return !side.segments.empty();
 }
 
+/// SABOXID, SBBOXID: of the faces of parts only those whose corners all lie in a box at the start. What is
+/// left is a list of faces, and is written back as one.
+bool limit_to_box(Draft& draft, const Entry& entry, const Columns& columns, ContactSide& side) {
+  if (entry.integer(columns.box) == 0) return true;
+  const Box* box = draft.box(entry, columns.box);
+  if (!box) return false;
+  if (side.parts.empty()) {
+    draft.error(entry, columns.box, "a box limits the faces of parts, not a set of faces or nodes",
+                "name the part (3) or part set (2), or leave the faces out of the set");
+    return false;
+  }
+  if (entry.keyword().find("_ERODING_") != std::string::npos) {
+    draft.refuse(entry, columns.box, "a box for faces that appear when elements are deleted",
+                 "give a part of its own to what shall be in contact");
+    return false;
+  }
+  std::erase_if(side.segments, [&](const Segment& face) {
+    return std::any_of(face.node, face.node + 4,
+                       [&](Index node) { return !box->contains(draft.position(node)); });
+  });
+  if (side.segments.empty())
+    draft.error(entry, columns.box,
+                "no face of side " + std::string(columns.name.substr(4)) + " lies in the box");
+  side.type = 0;
+  side.id = 0;
+  side.parts.clear();
+  side.nodes.clear();
+  faces_to_nodes(side);
+  return !side.segments.empty();
+}
+
 /// A coefficient that must not be negative.
 double coefficient(Draft& draft, const Entry& entry, std::string_view field, Dimension dimension = pure) {
   const double value = entry.real(field, dimension);
   if (value >= 0.0) return value;
   draft.error(entry, field, "found " + std::to_string(value) + ", expected 0 or more",
-              "friction by part (-1) and by table (-2) is not computed");
+              "friction by table (*DEFINE_FRICTION, -2) is not computed");
   return 0.0;
+}
+
+/// Friction and damping. FS = -1 leaves friction to the parts.
+void take_friction(Draft& draft, const Entry& entry, Contact& contact) {
+  const double factor = entry.real_or("FSF", pure, 1.0), viscous = entry.real_or("VSF", pure, 1.0);
+  contact.damping = 0.01 * coefficient(draft, entry, "VDC");
+  if (entry.real("FS", pure) == -1.0) {
+    contact.part_friction.resize(draft.model.parts.size());
+    for (const auto& [part, friction] : draft.part_friction)
+      contact.part_friction[static_cast<std::size_t>(part)] = friction;
+    for (const std::string_view field : {"FD", "DC", "VC"})
+      if (entry.card().real(field) != 0.0)
+        draft.warning(entry, field, "not used with FS -1: friction stands with the parts (*PART_CONTACT)");
+    if (factor != 1.0 || viscous != 1.0)
+      draft.refuse(entry, factor != 1.0 ? "FSF" : "VSF", "a factor on the friction of parts",
+                   "give the friction in *PART_CONTACT as it shall act");
+    return;
+  }
+  contact.static_friction = factor * coefficient(draft, entry, "FS");
+  contact.dynamic_friction = factor * coefficient(draft, entry, "FD");
+  contact.friction_decay = coefficient(draft, entry, "DC", {0, -1, 1});
+  contact.viscous_limit = viscous * coefficient(draft, entry, "VC", {1, -1, -2});
 }
 
 void take_method(Draft& draft, const Entry& entry, Contact& contact) {
@@ -131,6 +185,17 @@ void take_method(Draft& draft, const Entry& entry, Contact& contact) {
   if (entry.has("PENMAX")) {
     contact.release = contact.automatic ? entry.real("PENMAX", pure) : entry.real("PENMAX", a_length);
     if (contact.release < 0.0) draft.error(entry, "PENMAX", "a depth of release cannot be negative");
+  }
+  if (entry.has("SLDTHK")) {
+    contact.solid_thickness = entry.real("SLDTHK", a_length);
+    contact.solid_modulus = entry.real("SLDSTF", {1, -1, -2});
+    for (const std::string_view field : {"SLDTHK", "SLDSTF"})
+      if (entry.card().real(field) < 0.0)
+        draft.error(entry, field,
+                    "found " + std::to_string(entry.card().real(field)) + ", expected 0 or above");
+    if (contact.solid_thickness > 0.0 && !contact.automatic)
+      draft.refuse(entry, "SLDTHK", "a thickness of solids in a contact that is not automatic",
+                   "only automatic and eroding contacts see thicknesses");
   }
   if (entry.has("IGNORE") && entry.given("IGNORE")) {
     const auto ignore = entry.integer("IGNORE");
@@ -153,6 +218,7 @@ void take_contact(Draft& draft, const Entry& entry) {
   if (!contact.named) contact.id = static_cast<Id>(draft.model.contacts.size()) + 1;
   contact.tied = holds("_TIED_");
   contact.offset = contact.tied && name.ends_with("_OFFSET");
+  contact.joins = contact.tied && (!contact.offset || name.ends_with("_CONSTRAINED_OFFSET"));
   contact.automatic = holds("_AUTOMATIC_") || holds("_ERODING_");
   // New faces are what this contact is for: they are left out only where the deck says so.
   contact.eroding = holds("_ERODING_") && !(entry.given("EROSOP") && entry.integer("EROSOP") == 0);
@@ -165,12 +231,10 @@ void take_contact(Draft& draft, const Entry& entry) {
   const bool b = single || take_side(draft, entry, columns_b, false, false, contact.b);
   if (!a || !b) return;
 
-  const double factor = entry.real_or("FSF", pure, 1.0);
-  contact.static_friction = factor * coefficient(draft, entry, "FS");
-  contact.dynamic_friction = factor * coefficient(draft, entry, "FD");
-  contact.friction_decay = coefficient(draft, entry, "DC", {0, -1, 1});
-  contact.viscous_limit = entry.real_or("VSF", pure, 1.0) * coefficient(draft, entry, "VC", {1, -1, -2});
-  contact.damping = 0.01 * coefficient(draft, entry, "VDC");
+  if (!limit_to_box(draft, entry, columns_a, contact.a)) return;
+  if (!single && !limit_to_box(draft, entry, columns_b, contact.b)) return;
+
+  take_friction(draft, entry, contact);
   contact.birth = entry.real("BT", a_time);
   contact.death = death_time(entry, "DT");
   if (contact.birth < 0.0)
@@ -195,6 +259,12 @@ void take_control(Draft& draft, const Entry& entry) {
   ContactControl& control = draft.model.control.contact;
   control.stiffness = entry.real_or("SLSFAC", pure, 0.1);
   if (control.stiffness < 0.0) draft.error(entry, "SLSFAC", "the stiffness factor must be above 0");
+  draft.wall_penalty = entry.real("RWPNAL", pure);
+  if (std::abs(draft.wall_penalty) > 5.0)
+    draft.error(entry, "RWPNAL",
+                "found " + std::to_string(draft.wall_penalty) +
+                    ", expected -5 to 5: stiffer springs would swing faster than the step allows",
+                "1 is right for most: half a period in about ten steps for a single node");
   control.penalty = static_cast<int>(entry.integer("PENOPT"));
   if (control.penalty == 0) control.penalty = 1;
   if (control.penalty < 0 || control.penalty > 3) {
@@ -213,8 +283,9 @@ void take_control(Draft& draft, const Entry& entry) {
 }
 
 constexpr std::string_view fields =
-    "CID HEADING SURFA SURFB SURFATYP SURFBTYP FS FD DC VC VDC BT DT SFSA SFSB FSF VSF SOFT SOFSCL MAXPAR "
-    "IGNORE PENMAX EROSOP";
+    "CID HEADING SURFA SURFB SURFATYP SURFBTYP SABOXID SBBOXID FS FD DC VC VDC BT DT SFSA SFSB FSF VSF SOFT "
+    "SOFSCL MAXPAR "
+    "IGNORE PENMAX SLDTHK SLDSTF EROSOP";
 /// Print options, thickness of shells, and how often to sort: pairs are sorted anew whenever motion asks.
 constexpr std::string_view unused =
     "SAPR SBPR PENCHK SAST SBST SFSAT SFSBT SBOPT DEPTH BSORT FRCFRQ THKOPT SHLTHK SNLOG ISYM I2D3D IGAP "
@@ -223,7 +294,8 @@ constexpr std::string_view unused =
 constexpr std::string_view remark = "between surfaces of solids and rigid shells; see the page on contact";
 
 /// Ties have no friction and one method each.
-constexpr std::string_view tied_fields = "CID HEADING SURFA SURFB SURFATYP SURFBTYP BT DT SFSA SFSB SAST";
+constexpr std::string_view tied_fields =
+    "CID HEADING SURFA SURFB SURFATYP SURFBTYP SABOXID SBBOXID BT DT SFSA SFSB SAST";
 constexpr std::string_view tied_unused =
     "SAPR SBPR PENCHK SBST SFSAT SFSBT FS FD DC VC VDC FSF VSF SOFT SOFSCL SBOPT DEPTH BSORT FRCFRQ MAXPAR "
     "THKOPT "
@@ -255,10 +327,13 @@ constexpr Handler handlers[] = {
     tying("CONTACT_TIED_NODES_TO_SURFACE"),
     tying("CONTACT_TIED_SURFACE_TO_SURFACE"),
     tying("CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET"),
+    tying("CONTACT_TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET"),
+    tying("CONTACT_TIED_NODES_TO_SURFACE_OFFSET"),
+    tying("CONTACT_TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET"),
     {.keyword = "CONTROL_CONTACT",
      .phase = Phase::definition,
-     .honoured = "SLSFAC PENOPT ORIEN IGNORE SHLTHK",
-     .harmless = "RWPNAL ISLCHK THKCHG USRSTR USRFRC NSBCS INTERM XPENE SSTHK ECDT FRCENG SKIPRWG "
+     .honoured = "SLSFAC RWPNAL PENOPT ORIEN IGNORE SHLTHK",
+     .harmless = "ISLCHK THKCHG USRSTR USRFRC NSBCS INTERM XPENE SSTHK ECDT FRCENG SKIPRWG "
                  "OUTSEG SPOTSTP SPOTDEL SPOTHIN ISYM RWGAPS RWGDTH RWKSF SWRADF ITHOFF SHLEDG ITHCNT FTALL "
                  "SHLTRW IGACTC TH TH_SF PTSCL",
      .take = take_control},

@@ -69,6 +69,9 @@ class Draft {
   /// What needs the densities of the parts.
   std::vector<std::function<void()>> when_laws_known;
 
+  double wall_penalty = 0.0;                    ///< RWPNAL of *CONTROL_CONTACT
+  std::map<Index, PartFriction> part_friction;  ///< *PART_CONTACT by position of the part
+
   // --- references, with an error where they lead nowhere ------------------------------------------
   Index node(const Entry& entry, std::string_view field, std::size_t row = 0);
   Index part(const Entry& entry, std::string_view field, std::size_t row = 0);

@@ -119,6 +119,20 @@ void take_part_inertia(Draft& draft, const Entry& entry) {
   }
 }
 
+/// *PART_CONTACT: friction for contacts with FS -1.
+void take_part_contact(Draft& draft, const Entry& entry) {
+  const std::size_t count = draft.model.parts.size();
+  take_part(draft, entry);
+  if (draft.model.parts.size() == count) return;
+  for (const std::string_view field : {"FS", "FD", "DC", "VC"})
+    if (entry.card().real(field) < 0.0)
+      draft.error(entry, field,
+                  "found " + std::to_string(entry.card().real(field)) + ", expected 0 or above");
+  draft.part_friction[static_cast<Index>(count)] = {entry.real("FS", pure), entry.real("FD", pure),
+                                                    entry.real("DC", {0, -1, 1}),
+                                                    entry.real("VC", {1, -1, -2})};
+}
+
 /// *SECTION_SHELL: rigid shells have a thickness and a mass; shells that deform are refused with their part.
 void take_shell_section(Draft& draft, const Entry& entry) {
   take_section(draft, entry);
@@ -173,6 +187,12 @@ constexpr Handler handlers[] = {
      .honoured = "HEADING PID SECID MID EOSID HGID",
      .harmless = "TMID",
      .take = take_part},
+    {.keyword = "PART_CONTACT",
+     .phase = Phase::part,
+     .honoured = "HEADING PID SECID MID EOSID HGID FS FD DC VC",
+     .harmless = "TMID CPARM8",
+     .take = take_part_contact,
+     .remark = "friction for contacts with FS -1"},
     {.keyword = "PART_INERTIA",
      .phase = Phase::part,
      .honoured =

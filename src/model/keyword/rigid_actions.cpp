@@ -164,15 +164,18 @@ class Masters {
                              "at least one side must deform, or be a rigid body that is free to move");
   }
 
-  /// A rigid wall stops single nodes; those of rigid bodies pass it, as in the established programs.
+  /// A rigid wall stops single nodes; those of rigid bodies pass it, as in the established programs, unless
+  /// RWPNAL gives them springs, which planar walls have.
   void leave_out(RigidWall& wall) {
+    if (wall.penalty != 0.0) return;
     const auto rigid = [&](Index node) { return body_[static_cast<std::size_t>(node)] >= 0; };
     if (std::none_of(wall.nodes.begin(), wall.nodes.end(), rigid)) return;
     std::erase_if(wall.nodes, rigid);
     draft_.diagnostics.warning(
-        wall.place, "RIGIDWALL_PLANAR", "",
+        wall.place, wall.keyword, "",
         "nodes of rigid bodies pass rigid walls: they are left out of wall " + std::to_string(wall.id),
-        "mesh the wall as a rigid part that is held, and give a contact");
+        wall.geometric ? "mesh the wall as a rigid part that is held, and give a contact"
+                       : "RWPNAL 1 of *CONTROL_CONTACT lets the wall push them");
   }
 
   bool refuse(const std::vector<Index>& nodes, deck::Place place, std::string keyword, std::string_view what,

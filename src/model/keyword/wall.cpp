@@ -133,6 +133,7 @@ void take_planar(Draft& draft, const Entry& entry) {
     if (!(wall.mass > 0.0)) return draft.error(entry, "MASS", "a moving wall needs a mass above 0");
   }
   if (entry.has("SOFT")) wall.soft_cycles = static_cast<int>(entry.integer("SOFT"));
+  wall.penalty = draft.wall_penalty;
   draft.model.walls.push_back(std::move(wall));
 }
 

@@ -174,13 +174,13 @@ class ActionWriter {
     out_.keyword(c.keyword + (c.named ? "_ID" : ""));
     if (c.named) out_.id_line(c.id, c.title);
     out_.line({c.a.id, single ? Id(0) : c.b.id, c.a.type, single ? 0 : c.b.type});
-    out_.line({c.static_friction, c.dynamic_friction, c.friction_decay, c.viscous_limit, 100.0 * c.damping, 0,
-               c.birth, c.death});
+    out_.line({c.part_friction.empty() ? c.static_friction : -1.0, c.dynamic_friction, c.friction_decay,
+               c.viscous_limit, 100.0 * c.damping, 0, c.birth, c.death});
     out_.line({c.scale_a, c.scale_b, c.tie_distance > 0.0 ? -c.tie_distance : 0.0});
     if (c.keyword.find("_ERODING_") != std::string::npos) out_.line({0, c.eroding ? 1 : 0, 1});
     if (c.tied) return;
     out_.line({c.soft, c.soft_scale, 0, c.extension});
-    out_.line({c.release});
+    out_.line({c.release, 0, 0, 0, 0, 0, c.solid_thickness, c.solid_modulus});
     out_.line({0, c.ignore});
   }
 

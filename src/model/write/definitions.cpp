@@ -24,6 +24,20 @@ void write_spacetime(const SpacetimeControl& c, const Model& model, DeckText& ou
   out.line({c.threads, c.verify ? 1 : 0, c.subdivision, c.repeat ? 1 : 0});
 }
 
+/// RWPNAL: planar walls have it, geometric ones none.
+double most_penalty(const std::vector<RigidWall>& walls) {
+  for (const RigidWall& wall : walls)
+    if (wall.penalty != 0.0) return wall.penalty;
+  return 0.0;
+}
+
+/// *PART_CONTACT, which only contacts that ask for it remember.
+PartFriction friction_of(const Model& model, std::size_t part) {
+  for (const Contact& contact : model.contacts)
+    if (!contact.part_friction.empty()) return contact.part_friction[part];
+  return {};
+}
+
 void write_control(const Model& model, DeckText& out) {
   const Control& c = model.control;
   out.keyword("CONTROL_TERMINATION");
@@ -41,10 +55,11 @@ void write_control(const Model& model, DeckText& out) {
   out.line({flag(c.energy.hourglass), flag(c.energy.wall), flag(c.energy.sliding), flag(c.energy.damping)});
   out.keyword("CONTROL_HOURGLASS");
   out.line({c.hourglass.type, c.hourglass.coefficient});
-  if (!model.contacts.empty()) {
+  const double wall_penalty = most_penalty(model.walls);
+  if (!model.contacts.empty() || wall_penalty != 0.0) {
     out.keyword("CONTROL_CONTACT");
-    out.line(
-        {c.contact.stiffness, 0.0, 1, c.contact.shell_thickness, c.contact.penalty, 0, c.contact.orient});
+    out.line({c.contact.stiffness, wall_penalty, 1, c.contact.shell_thickness, c.contact.penalty, 0,
+              c.contact.orient});
     out.line({0});
     out.line({0.0});
     out.line({c.contact.ignore});
@@ -109,10 +124,14 @@ void write_parts(const Model& model, DeckText& out) {
       out.keyword("HOURGLASS");
       out.line({++hourglass, h.type, h.coefficient, 0, h.quadratic_bulk, h.linear_bulk});
     }
-    out.keyword(part.inertia ? "PART_INERTIA" : "PART");
+    const PartFriction friction = friction_of(model, static_cast<std::size_t>(&part - model.parts.data()));
+    const bool rubs = friction != PartFriction{};
+    out.keyword(part.inertia ? "PART_INERTIA" : rubs ? "PART_CONTACT" : "PART");
     out.text(part.title);
     out.line({part.id, part.section.id, part.material_id, part.state_id, own ? hourglass : Id(0)});
     if (part.inertia) write_inertia(*part.inertia, model, out);
+    if (rubs)
+      out.line({friction.static_friction, friction.dynamic_friction, friction.decay, friction.viscous_limit});
   }
 }
 

@@ -41,6 +41,21 @@ void name_node_lists(Model& model) {
   for (const FixedNodes& fixed : model.fixed)
     if ((fixed.id != 0 || !fixed.title.empty()) && fixed.nodes.size() != 1)
       ensure(fixed.nodes, "nodes of constraint " + std::to_string(fixed.id));
+
+  // Faces that a box has chosen.
+  Id next_segments = 1;
+  for (const auto& set : model.segment_sets) next_segments = std::max(next_segments, set.id + 1);
+  for (Contact& contact : model.contacts)
+    for (ContactSide* side : {&contact.a, &contact.b}) {
+      if (side->type != 0 || side->id != 0 || side->segments.empty()) continue;
+      const auto* known = set_of(model.segment_sets, side->segments);
+      if (!known) {
+        model.segment_sets.push_back(
+            {next_segments++, "faces of contact " + std::to_string(contact.id), side->segments});
+        known = &model.segment_sets.back();
+      }
+      side->id = known->id;
+    }
 }
 
 int axis_of(const Vector& d) {

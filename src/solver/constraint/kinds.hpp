@@ -12,10 +12,12 @@ using ConstraintList = std::vector<std::unique_ptr<Constraint>>;
 
 void add_dashpots(const discretisation::World& world, ConstraintList& list, deck::Diagnostics& diagnostics);
 void add_tied_nodes(const discretisation::World& world, ConstraintList& list, deck::Diagnostics& diagnostics);
-void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
+void add_rigid_walls(const discretisation::World& world, ConstraintList& list,
+                     deck::Diagnostics& diagnostics);
 std::unique_ptr<Constraint> make_geometric_wall(const model::Model& model, std::size_t number,
                                                 deck::Diagnostics& diagnostics);
-void add_rigid_bodies(const discretisation::World& world, ConstraintList& list);
+void add_rigid_bodies(const discretisation::World& world, ConstraintList& list,
+                      deck::Diagnostics& diagnostics);
 void add_held_nodes(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics);
 
 }  // namespace cleave::solver

@@ -45,8 +45,9 @@ static_assert(width * sizeof(double) == sizeof(Body), "a body is nothing but dou
 
 class RigidBodies final : public Constraint {
  public:
-  explicit RigidBodies(const discretisation::World& world)
+  RigidBodies(const discretisation::World& world, deck::Diagnostics& diagnostics)
       : world_(world), model_(*world.model), drives_(model_), loads_(world) {
+    drives_.warn_of_conflicts(diagnostics);
     for (const RigidBody& body : world.bodies)
       nodes_.insert(nodes_.end(), body.node.begin(), body.node.end());
     std::sort(nodes_.begin(), nodes_.end());
@@ -346,8 +347,9 @@ class RigidBodies final : public Constraint {
 
 }  // namespace
 
-void add_rigid_bodies(const discretisation::World& world, ConstraintList& list) {
-  if (!world.bodies.empty()) list.push_back(std::make_unique<RigidBodies>(world));
+void add_rigid_bodies(const discretisation::World& world, ConstraintList& list,
+                      deck::Diagnostics& diagnostics) {
+  if (!world.bodies.empty()) list.push_back(std::make_unique<RigidBodies>(world, diagnostics));
 }
 
 }  // namespace cleave::solver

@@ -1,6 +1,7 @@
 /// *RIGIDWALL_PLANAR: nodes may not pass a plane. A node that would is placed on it, its normal velocity
 /// taken away (plastic impact); the momentum it loses is the wall's force. A wall with a mass takes that
-/// momentum over. Source: Belytschko, Liu, Moran & Elkhodary 2014, sec. 10; explicit.md, section 5.
+/// momentum over. Nodes that RWPNAL names are met by springs instead (rigid_wall_penalty.hpp). Source:
+/// Belytschko, Liu, Moran & Elkhodary 2014, sec. 10; explicit.md, section 5.
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "base/threads.hpp"
 #include "solver/constraint/kinds.hpp"
 #include "solver/constraint/rigid_wall_friction.hpp"
+#include "solver/constraint/rigid_wall_penalty.hpp"
 #include "solver/constraint/rigid_wall_work.hpp"
 #include "solver/field.hpp"
 
@@ -32,36 +34,47 @@ struct Hit {
 
 class PlanarWall final : public Constraint {
  public:
-  PlanarWall(const RigidWall& wall, std::size_t number) : wall_(wall), number_(number) {
-    found_.resize((wall.nodes.size() + grain - 1) / grain);
+  /// @param stopped  nodes that are stopped at once
+  /// @param pushed   nodes that are met by penalty, of the given scale
+  PlanarWall(const RigidWall& wall, std::size_t number, std::vector<Index> stopped, std::vector<Index> pushed,
+             double scale)
+      : wall_(wall), number_(number), stopped_(std::move(stopped)), penalty_(wall, std::move(pushed), scale) {
+    found_.resize((stopped_.size() + grain - 1) / grain);
   }
 
   std::string name() const override { return "rigid wall " + std::to_string(number_); }
 
   base::Array<double> first_memory(const discretisation::State&) const override {
-    base::Array<double> memory(node_state + (remembers_nodes() ? wall_.nodes.size() : 0), 0.0);
+    base::Array<double> memory(springs_at() + penalty_.memory_size(), 0.0);
     memory[velocity] = wall_.speed;
     return memory;
   }
 
   void correct(const Moment& now, std::span<double> memory, std::span<double> acceleration) override {
-    memory[travel] += memory[move];
+    const double moved = memory[move];
+    memory[travel] += moved;
     memory[move] = 0.0;
     for (std::size_t slot = normal_force; slot < node_state; ++slot) memory[slot] = 0.0;
     hits_.clear();
     nodes_.clear();
+    forces_.clear();
     speed_before_ = memory[velocity];
     const double middle = now.time + 0.5 * now.step;
     if (middle < wall_.birth || middle >= wall_.death) return;
 
+    // A wall with a mass is slowed down by the springs before it stops the other nodes.
+    for (const WallPenalty::Push& one :
+         penalty_.push(now, memory[travel], moved, memory.subspan(springs_at()), acceleration)) {
+      book(one.node, one.force, memory);
+      if (wall_.mass > 0.0)
+        memory[velocity] -= now.interval() / wall_.mass *
+                            base::dot(Vector{one.force[0], one.force[1], one.force[2]}, wall_.normal);
+    }
     find_hits(now, memory, acceleration);
     exchange_momentum(memory);
     for (Hit& hit : hits_) stop(now, memory, acceleration, hit);
     std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return a.member < b.member; });
-    for (const Hit& hit : hits_) {
-      nodes_.push_back(hit.node);
-      for (std::size_t i = 0; i < 3; ++i) memory[force_x + i] += hit.force[i];
-    }
+    for (const Hit& hit : hits_) book(hit.node, hit.force, memory);
     memory[normal_force] = memory[force_x] * wall_.normal.x + memory[force_x + 1] * wall_.normal.y +
                            memory[force_x + 2] * wall_.normal.z;
     memory[move] = memory[velocity] * now.step;
@@ -71,7 +84,7 @@ class PlanarWall final : public Constraint {
 
   Halves work(const Moment& now, std::span<const double> memory,
               std::span<const double> acceleration) const override {
-    return wall_work(now, memory[normal_force], speed_before_, memory[velocity], hits_, acceleration);
+    return wall_work(now, memory[normal_force], speed_before_, memory[velocity], forces_, acceleration);
   }
 
   void report(std::span<const double> memory, Reactions& reactions) const override {
@@ -86,17 +99,26 @@ class PlanarWall final : public Constraint {
   /// Places in the memory; the state of the nodes (welded, or cycles in contact) follows.
   enum Slot : std::size_t { travel, velocity, move, normal_force, force_x, node_state = force_x + 3 };
 
+  /// Where the memory of the springs begins.
+  std::size_t springs_at() const { return node_state + (remembers_nodes() ? stopped_.size() : 0); }
+
+  void book(Index node, const double (&force)[3], std::span<double> memory) {
+    nodes_.push_back(node);
+    forces_.push_back({node, {force[0], force[1], force[2]}});
+    for (std::size_t i = 0; i < 3; ++i) memory[force_x + i] += force[i];
+  }
+
   bool welds() const { return wall_.friction == 2.0 || wall_.friction == 3.0; }
   bool remembers_nodes() const { return welds() || wall_.soft_cycles > 1; }
 
   /// Nodes that the wall, at the speed it has, would overtake within the step; in the order of its list.
   void find_hits(const Moment& now, std::span<double> memory, std::span<const double> acceleration) {
     const double interval = now.interval(), slack = 1e-6 * (wall_.length_l + wall_.length_m);
-    base::for_each_range(wall_.nodes.size(), grain, [&](std::size_t begin, std::size_t end) {
+    base::for_each_range(stopped_.size(), grain, [&](std::size_t begin, std::size_t end) {
       std::vector<Hit>& found = found_[begin / grain];
       found.clear();
       for (std::size_t member = begin; member < end; ++member) {
-        const Index node = wall_.nodes[member];
+        const Index node = stopped_[member];
         const Vector from = vector_at(now.position, node) - wall_.origin;
         const Vector v = vector_at(now.velocity, node) + interval * vector_at(acceleration, node);
         const double distance = base::dot(from, wall_.normal) - memory[travel];
@@ -160,7 +182,8 @@ class PlanarWall final : public Constraint {
     // Along the wall: Coulomb's law between impulses.
     const Vector sliding = free - normal * wall_.normal;
     const Vector after = (normal + gain) * wall_.normal + sliding +
-                         friction_change(wall_, sliding, std::max(gain, 0.0), wall_.normal, now.position);
+                         friction_change(wall_, sliding, std::sqrt(base::dot(sliding, sliding)),
+                                         std::max(gain, 0.0), wall_.normal, now.position);
     const Vector change = after - free;
     const double mass = now.mass[static_cast<std::size_t>(hit.node)];
     const double force[3] = {mass * change.x / interval, mass * change.y / interval,
@@ -174,15 +197,20 @@ class PlanarWall final : public Constraint {
 
   const RigidWall& wall_;
   std::size_t number_;
+  std::vector<Index> stopped_;
+  WallPenalty penalty_;
   std::vector<std::vector<Hit>> found_;  // [range], scratch
   std::vector<Hit> hits_;                // of the last call
   std::vector<Index> nodes_;
+  std::vector<WallPenalty::Push> forces_;  // on all nodes, of the last call
   double speed_before_ = 0.0;
 };
 
 }  // namespace
 
-void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diagnostics& diagnostics) {
+void add_rigid_walls(const discretisation::World& world, ConstraintList& list,
+                     deck::Diagnostics& diagnostics) {
+  const model::Model& model = *world.model;
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const RigidWall& wall = model.walls[w];
     if (wall.geometric) {
@@ -204,7 +232,14 @@ void add_rigid_walls(const model::Model& model, ConstraintList& list, deck::Diag
                           std::to_string(behind) + " nodes lie behind rigid wall " + std::to_string(wall.id) +
                               " at the start, up to " + std::to_string(-deepest) + " deep",
                           "they may leave but not go deeper; check the direction of the wall's normal");
-    list.push_back(std::make_unique<PlanarWall>(wall, w));
+    std::vector<Index> stopped, pushed;
+    for (const Index node : wall.nodes) {
+      const bool rigid =
+          !world.body_of_node.empty() && world.body_of_node[static_cast<std::size_t>(node)] >= 0;
+      (wall.penalty < 0.0 || (wall.penalty > 0.0 && rigid) ? pushed : stopped).push_back(node);
+    }
+    list.push_back(
+        std::make_unique<PlanarWall>(wall, w, std::move(stopped), std::move(pushed), std::abs(wall.penalty)));
   }
 }
 

@@ -31,13 +31,13 @@ void nearest_of_ellipse(const double (&half)[2], const double (&s)[2], double (&
 
 }  // namespace
 
-Vector friction_change(const model::RigidWall& wall, const Vector& sliding, double gain, const Vector& normal,
-                       std::span<const double> position) {
-  const double speed = std::sqrt(base::dot(sliding, sliding));
-  if (speed == 0.0) return {0, 0, 0};
+Vector friction_change(const model::RigidWall& wall, const Vector& sliding, double speed, double gain,
+                       const Vector& normal, std::span<const double> position) {
+  const double trial = std::sqrt(base::dot(sliding, sliding));
+  if (trial == 0.0) return {0, 0, 0};
   if (wall.friction == 1.0 || wall.friction == 3.0) return -1.0 * sliding;
   if (wall.friction == 2.0) return {0, 0, 0};
-  if (!wall.orthotropic) return -std::min(1.0, wall.friction * gain / speed) * sliding;
+  if (!wall.orthotropic) return -std::min(1.0, wall.friction * std::max(gain, 0.0) / trial) * sliding;
 
   Vector first = wall.friction_axis;
   if (wall.friction_node[0] >= 0) {
@@ -48,14 +48,15 @@ Vector friction_change(const model::RigidWall& wall, const Vector& sliding, doub
   first = first - base::dot(first, normal) * normal;
   const double size = std::sqrt(base::dot(first, first));
   // Nodes that have turned into the normal of the wall give no direction any more: the slide does.
-  first = size > 0.0 ? (1.0 / size) * first : (1.0 / speed) * sliding;
+  first = size > 0.0 ? (1.0 / size) * first : (1.0 / trial) * sliding;
   const Vector second = base::cross(normal, first);
 
   const double along[2] = {base::dot(sliding, first), base::dot(sliding, second)};
   double half[2], taken[2];
   for (int k = 0; k < 2; ++k) {
     const double more = wall.static_friction[k] - wall.dynamic_friction[k];
-    half[k] = gain * (wall.dynamic_friction[k] + more * std::exp(-wall.friction_decay[k] * speed));
+    half[k] =
+        std::max(gain, 0.0) * (wall.dynamic_friction[k] + more * std::exp(-wall.friction_decay[k] * speed));
   }
   nearest_of_ellipse(half, along, taken);
   return (-taken[0]) * first - taken[1] * second;

@@ -116,7 +116,8 @@ class GeometricWall final : public Constraint {
     const Vector along = (1.0 / dt) * (to - from);
     const Vector sliding = along - base::dot(along, hit->normal) * hit->normal;
     if (wall_.friction > 0.0) {
-      to = to + dt * friction_change(wall_, sliding, hit->push / dt, hit->normal, now.position);
+      to = to + dt * friction_change(wall_, sliding, std::sqrt(base::dot(sliding, sliding)), hit->push / dt,
+                                     hit->normal, now.position);
       to = to + shape_.push(*hit, to) * hit->normal;
     }
 

@@ -148,14 +148,14 @@ void add_tied_nodes(const discretisation::World& world, ConstraintList& list,
     const model::Contact& contact = world.model->contacts[c];
     if (!contact.tied || contact.offset) continue;
     std::vector<Tie> ties = find_ties(world, contact, diagnostics);
+    std::erase_if(ties, [&](const Tie& tie) { return joined(world, tie); });
     if (const Index node = rigid_node(world, ties); node >= 0) {
-      diagnostics.error(
-          contact.place, contact.keyword, "",
-          "node " + std::to_string(world.model->mesh.nodes.id[static_cast<std::size_t>(node)]) +
-              " (and perhaps more) of contact " + std::to_string(contact.id) +
-              " belongs to a rigid body, which is its only master",
-          "tie by springs: *CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET, or make the nodes extra nodes "
-          "of the body: *CONSTRAINED_EXTRA_NODES");
+      diagnostics.error(contact.place, contact.keyword, "",
+                        "node " + std::to_string(world.model->mesh.nodes.id[static_cast<std::size_t>(node)]) +
+                            " (and perhaps more) of contact " + std::to_string(contact.id) +
+                            " belongs to a rigid body, which is its only master",
+                        "name the body's faces as side B, or tie by springs: _TIED_NODES_TO_SURFACE_OFFSET, "
+                        "_TIED_SURFACE_TO_SURFACE_OFFSET");
       continue;
     }
     if (!ties.empty())

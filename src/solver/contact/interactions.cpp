@@ -64,7 +64,8 @@ std::vector<std::unique_ptr<Interaction>> make_interactions(const discretisation
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const model::Contact& contact = model.contacts[c];
     if (contact.tied) {  // without an offset: a constraint
-      if (contact.offset) list.push_back(make_tied_faces(world, c, diagnostics));
+      if (!contact.offset) continue;
+      if (auto tie = make_tied_faces(world, c, diagnostics)) list.push_back(std::move(tie));
       continue;
     }
     const Sides sides(world, contact, diagnostics);

@@ -6,6 +6,7 @@
 #include "base/threads.hpp"
 #include "solver/contact/balanced.hpp"
 #include "solver/contact/finders.hpp"
+#include "solver/contact/pair_friction.hpp"
 #include "solver/contact/pair_text.hpp"
 #include "solver/ordered_sum.hpp"
 
@@ -243,12 +244,14 @@ class Interface final : public Interaction {
   /// Coulomb friction: a spring that slips when it is pulled harder than friction holds.
   void rub(const Moment& now, Touch& touch, const Remembered* old, const Vector& sliding, double push,
            Remembered& kept) const {
-    const double fs = contact_.static_friction, fd = contact_.dynamic_friction;
+    const auto number = static_cast<std::size_t>(&touch - touches_.data());
+    const model::PartFriction pair = pair_friction(contact_, finder_of(number), touch);
+    const double fs = pair.static_friction, fd = pair.dynamic_friction;
     if (fs == 0.0 && fd == 0.0) return;
     const double speed = norm(sliding);
-    const double coefficient = fd + (fs - fd) * std::exp(-contact_.friction_decay * speed);
+    const double coefficient = fd + (fs - fd) * std::exp(-pair.decay * speed);
     double most = coefficient * push;
-    if (contact_.viscous_limit > 0.0) most = std::min(most, contact_.viscous_limit * touch.area);
+    if (pair.viscous_limit > 0.0) most = std::min(most, pair.viscous_limit * touch.area);
     Vector force{0, 0, 0};
     if (old) {
       const Vector last{old->friction[0], old->friction[1], old->friction[2]};

@@ -50,7 +50,7 @@ Surface::Surface(const discretisation::World& world, const model::Contact& conta
   if (side.parts.empty()) {
     add_listed(contact, side, orient, diagnostics);
   } else {
-    add_outer(inner, side.parts);
+    add_outer(contact, inner, side.parts);
     add_shells(contact, side.parts);
   }
   list_owned();
@@ -85,18 +85,18 @@ std::vector<Surface::Side> Surface::sides_of(const Wanted& wanted) const {
   return sides;
 }
 
-void Surface::add_outer(bool inner, std::span<const Index> parts) {
+void Surface::add_outer(const model::Contact& contact, bool inner, std::span<const Index> parts) {
   const auto sides = sides_of([&](Index part, const Index*, std::size_t) {
     return std::binary_search(parts.begin(), parts.end(), part);
   });
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t j = i + 1;
     while (j < sides.size() && sides[j].key == sides[i].key) ++j;
-    if (j == i + 1) add_face(sides[i].face, sides[i], -1);
+    if (j == i + 1) add_face(contact, sides[i].face, sides[i], -1);
     if (j == i + 2 && inner) {
       const auto first = static_cast<std::int32_t>(faces_.size());
-      add_face(sides[i].face, sides[i], first + 1);
-      add_face(sides[i + 1].face, sides[i + 1], first);
+      add_face(contact, sides[i].face, sides[i], first + 1);
+      add_face(contact, sides[i + 1].face, sides[i + 1], first);
     }
     i = j;
   }
@@ -149,7 +149,7 @@ void Surface::add_listed(const model::Contact& contact, const model::ContactSide
                         "normals are not consistent: segment " + name(face) + " points into its solid",
                         "number its nodes counter-clockwise seen from outside, or give ORIEN 2 in "
                         "*CONTROL_CONTACT to have it turned");
-    add_face(back ? turned(face) : face, *at, -1);
+    add_face(contact, back ? turned(face) : face, *at, -1);
   }
 }
 
@@ -202,7 +202,8 @@ void Surface::add_shell(const model::Contact& contact, std::size_t g, std::size_
   faces_.push_back(face);
 }
 
-void Surface::add_face(const Segment& segment, const Side& side, std::int32_t twin) {
+void Surface::add_face(const model::Contact& contact, const Segment& segment, const Side& side,
+                       std::int32_t twin) {
   const model::Model& model = *world_.model;
   const model::Elements& group = model.mesh.solids[static_cast<std::size_t>(side.group)];
   const auto n = static_cast<std::size_t>(model::nodes_of(group.shape));
@@ -220,7 +221,10 @@ void Surface::add_face(const Segment& segment, const Side& side, std::int32_t tw
   face.area = norm(area_normal(face, model.mesh.nodes.position));
   face.thickness = face.area > 0.0 ? volume / face.area : 0.0;
   const model::Part& part = model.parts[static_cast<std::size_t>(face.part)];
-  const double bulk = part.law ? part.law->bulk_modulus() : 0.0;
+  const double own = part.law ? part.law->bulk_modulus() : 0.0;
+  const double bulk = contact.solid_modulus > 0.0 ? contact.solid_modulus : own;
+  face.offset = 0.5 * contact.solid_thickness;
+  largest_offset_ = std::max(largest_offset_, face.offset);
   face.stiffness = volume > 0.0 ? bulk * face.area * face.area / volume : 0.0;
   faces_.push_back(face);
 }

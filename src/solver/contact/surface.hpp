@@ -77,10 +77,11 @@ class Surface {
   };
   template <class Wanted>
   std::vector<Side> sides_of(const Wanted& wanted) const;
-  void add_outer(bool inner, std::span<const Index> parts);
+  void add_outer(const model::Contact& contact, bool inner, std::span<const Index> parts);
   void add_listed(const model::Contact& contact, const model::ContactSide& side, bool orient,
                   deck::Diagnostics& diagnostics);
-  void add_face(const model::Segment& segment, const Side& owner, std::int32_t twin);
+  void add_face(const model::Contact& contact, const model::Segment& segment, const Side& owner,
+                std::int32_t twin);
   void add_shells(const model::Contact& contact, std::span<const Index> parts);
   void add_shell(const model::Contact& contact, std::size_t group, std::size_t element,
                  const model::Segment& side);

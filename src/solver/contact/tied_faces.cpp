@@ -1,5 +1,6 @@
-/// Ties by springs (*CONTACT_TIED_..._OFFSET): over every polygon that two faces share at the start, springs
-/// at its quadrature points keep the points of both where they were, seen from side B.
+/// Ties by springs (*CONTACT_TIED_..._OFFSET) keep points of both sides where they were, seen from the faces
+/// of side B. A spring that does not lie along its rest would turn the pair: its face takes the moment, so
+/// that angular momentum is kept.
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,7 @@
 #include "base/threads.hpp"
 #include "solver/contact/balanced.hpp"
 #include "solver/contact/finders.hpp"
-#include "solver/contact/overlap.hpp"
-#include "solver/contact/search.hpp"
+#include "solver/contact/tied_springs.hpp"
 #include "solver/ordered_sum.hpp"
 
 namespace cleave::solver {
@@ -18,29 +18,6 @@ using base::cross;
 using base::dot;
 
 constexpr std::size_t grain = 256;
-constexpr double stiffer = 4.0;  // as for faces against faces
-
-struct Frame3 {
-  Vector e1, e2, n;
-};
-/// Axes that turn with a face.
-Frame3 frame_of(std::span<const double> position, const Index node[4]) {
-  const Vector a = vector_at(position, node[0]), b = vector_at(position, node[1]);
-  const Vector c = vector_at(position, node[2]), d = vector_at(position, node[3]);
-  Vector n = cross(c - a, d - b);
-  n = (1.0 / norm(n)) * n;
-  Vector e = b - a;
-  e = e - dot(e, n) * n;
-  e = (1.0 / norm(e)) * e;
-  return {e, cross(n, e), n};
-}
-
-/// One spring, with a Touch for its nodes and weights.
-struct Spring {
-  Touch touch;
-  Vector rest;  // from b to a in the frame of b's face [length]
-};
-
 class TiedFaces final : public Interaction {
  public:
   TiedFaces(const model::Contact& contact, std::size_t number, std::vector<Spring> springs, double stiffest,
@@ -100,10 +77,10 @@ class TiedFaces final : public Interaction {
           Pair part;
           for (std::size_t i = begin; i < end; ++i) {
             const Touch& touch = springs_[i].touch;
-            const Vector early = relative(touch, now.velocity);
-            const Vector late = early + now.interval() * relative(touch, acceleration);
-            part.before -= 0.5 * now.step_before * dot(touch.pressure, early);
-            part.after -= 0.5 * now.step * dot(touch.pressure, late);
+            const double early = pressure_dot(touch, now.velocity);
+            const double late = early + now.interval() * pressure_dot(touch, acceleration);
+            part.before -= 0.5 * now.step_before * early;
+            part.after -= 0.5 * now.step * late;
           }
           return part;
         });
@@ -158,18 +135,30 @@ class TiedFaces final : public Interaction {
     }
     const Vector rest = spring.rest.x * frame.e1 + spring.rest.y * frame.e2 + spring.rest.z * frame.n;
     touch.pressure = touch.stiffness * (rest - gap);
+    Vector couple[4];
+    couple_of(now.position, touch.b, cross(touch.pressure, gap), couple);
+    touch.faces = true;
+    for (int k = 0; k < 4; ++k) {
+      touch.on_a[k] = touch.wa[k] * touch.pressure;
+      touch.on_b[k] = couple[k] - touch.wb[k] * touch.pressure;
+    }
   }
 
+  /// Gershgorin's bound with what each node does to a spring: its weight, and for its face the turn.
   double rate(const Moment& now) const {
     if (sums_.empty()) {
       sums_.assign(now.mass.size(), 0.0);
-      for (const Spring& spring : springs_)
-        for (int k = 0; k < 4; ++k) {
-          sums_[static_cast<std::size_t>(spring.touch.a[k])] +=
-              spring.touch.stiffness * std::abs(spring.touch.wa[k]);
-          sums_[static_cast<std::size_t>(spring.touch.b[k])] +=
-              spring.touch.stiffness * std::abs(spring.touch.wb[k]);
+      for (const Spring& spring : springs_) {
+        const Touch& touch = spring.touch;
+        double turn[4], all = 2.0;
+        couple_bound(now.position, touch.b, turn);
+        for (double& one : turn) all += one *= norm(spring.rest);
+        for (std::size_t k = 0; k < 4; ++k) {
+          const double half = 0.5 * all * touch.stiffness;
+          sums_[static_cast<std::size_t>(touch.a[k])] += half * std::abs(touch.wa[k]);
+          sums_[static_cast<std::size_t>(touch.b[k])] += half * (std::abs(touch.wb[k]) + turn[k]);
         }
+      }
     }
     double most = 0.0;
     for (std::size_t a = 0; a < sums_.size(); ++a)
@@ -187,76 +176,19 @@ class TiedFaces final : public Interaction {
 };
 
 }  // namespace
-
 std::unique_ptr<Interaction> make_tied_faces(const discretisation::World& world, std::size_t number,
                                              deck::Diagnostics& diagnostics) {
-  const model::Model& model = *world.model;
-  const model::Contact& contact = model.contacts[number];
-  Surface a(world, contact, contact.a, false, true, diagnostics);
+  const model::Contact& contact = world.model->contacts[number];
+  model::ContactSide around = contact.a;  // faces around the nodes of a set: those of all parts
+  if (contact.a.segments.empty())
+    for (Index p = 0; p < static_cast<Index>(world.model->parts.size()); ++p) around.parts.push_back(p);
+  Surface a(world, contact, around, false, true, diagnostics);
   Surface b(world, contact, contact.b, false, true, diagnostics);
-  const std::span<const double> position(model.mesh.nodes.position);
-  const auto corners = [&](const Face& face, Vector x[4]) {
-    for (std::size_t i = 0; i < 4; ++i) x[i] = vector_at(position, face.node[i]);
-  };
-  std::vector<Bounds> boxes;
-  const auto box_of = [](const Vector x[4], double grow) {
-    Bounds box = Bounds::nothing();
-    for (int i = 0; i < 4; ++i) box.add({{x[i].x, x[i].y, x[i].z}, {x[i].x, x[i].y, x[i].z}});
-    box.grow(grow);
-    return box;
-  };
-  for (const Face& face : b.faces()) {
-    Vector x[4];
-    corners(face, x);
-    boxes.push_back(box_of(x, 0.0));
-  }
-  Tree tree;
-  tree.build(boxes);
-  std::vector<Spring> springs;
+  std::vector<Spring> springs = find_springs(world, contact, a, b, diagnostics);
+  if (springs.empty()) return nullptr;
   double scale = 0.0;
-  for (const Face& one : a.faces()) {
-    Vector x[4];
-    corners(one, x);
-    // The surfaces may be apart: by half an element here, or by the distance given.
-    const double reach = contact.tie_distance > 0.0 ? contact.tie_distance : 0.5 * std::sqrt(one.area);
-    std::vector<std::int32_t> near;
-    tree.query(box_of(x, reach), [&](std::int32_t f) { near.push_back(f); });
-    std::sort(near.begin(), near.end());
-    for (const std::int32_t f : near) {
-      const Face& other = b.faces()[static_cast<std::size_t>(f)];
-      Vector y[4];
-      corners(other, y);
-      Overlap shared;
-      std::vector<SharedPoint> points;
-      if (!shared.share(x, y)) continue;
-      shared.points(points);
-      const double modulus = stiffer * model.control.contact.stiffness *
-                             std::min(contact.scale_a * one.stiffness / one.area,
-                                      contact.scale_b * other.stiffness / other.area);
-      for (const SharedPoint& point : points) {
-        if (std::abs(point.gap) > reach) continue;
-        Spring spring{};
-        for (std::size_t k = 0; k < 4; ++k) {
-          spring.touch.a[k] = one.node[k];
-          spring.touch.b[k] = other.node[k];
-          spring.touch.wa[k] = point.wa[k];
-          spring.touch.wb[k] = point.wb[k];
-        }
-        spring.touch.stiffness = modulus * point.area;
-        spring.touch.area = point.area;
-        Vector gap{0, 0, 0};
-        for (std::size_t k = 0; k < 4; ++k) gap = gap + point.wa[k] * x[k] - point.wb[k] * y[k];
-        const Frame3 frame = frame_of(position, spring.touch.b);
-        spring.rest = {dot(gap, frame.e1), dot(gap, frame.e2), dot(gap, frame.n)};
-        springs.push_back(spring);
-        scale = std::max(scale, 1e-3 * spring.touch.stiffness * other.thickness);
-      }
-    }
-  }
-  if (springs.empty())
-    diagnostics.error(contact.place, contact.keyword, "SURFA",
-                      "no face of tied contact " + std::to_string(contact.id) + " lies over a face of side B",
-                      "the surfaces must be less than half an element apart and look at each other");
+  for (const Spring& spring : springs)
+    scale = std::max(scale, 1e-3 * spring.touch.stiffness * std::sqrt(spring.touch.area));
   return std::make_unique<TiedFaces>(contact, number, std::move(springs), scale, std::move(a), std::move(b));
 }
 

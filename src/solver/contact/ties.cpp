@@ -1,6 +1,7 @@
 #include "solver/contact/ties.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/contact/closest.hpp"
 #include "solver/contact/search.hpp"
@@ -12,8 +13,17 @@ constexpr double within = 0.05;  // of the shorter diagonal
 
 double reach_of(const Face& face, const Vector x[4], const model::Contact& contact) {
   if (contact.tie_distance > 0.0) return contact.tie_distance;
+  if (contact.offset) return 0.5 * std::sqrt(face.area);
   const double first = norm(x[2] - x[0]), second = norm(x[3] - x[1]);
   return within * (face.corners() == 3 ? std::max(first, second) : std::min(first, second));
+}
+
+/// With an offset a node must lie over the face, not beside it: the way to its closest point runs along the
+/// normal, but for 5 % of the face's size.
+bool over(const Face& face, std::span<const double> position, const Vector& way) {
+  const Vector area = area_normal(face, position);
+  const Vector normal = (1.0 / norm(area)) * area;
+  return norm(way - base::dot(way, normal) * normal) <= within * std::sqrt(face.area);
 }
 
 }  // namespace
@@ -49,7 +59,8 @@ std::vector<Tie> find_ties(const discretisation::World& world, const model::Cont
       for (std::size_t a = 0; a < 4; ++a) x[a] = vector_at(position, face.node[a]);
       const Closest c = closest_point(face, x, p);
       const double distance = norm(p - c.point);
-      if (distance > reach_of(face, x, contact)) return;
+      if (distance > reach_of(face, x, contact) || (contact.offset && !over(face, position, p - c.point)))
+        return;
       if (distance > least || (distance == least && f > best)) return;
       least = distance;
       best = f;
@@ -59,7 +70,7 @@ std::vector<Tie> find_ties(const discretisation::World& world, const model::Cont
       ++loose;
       continue;
     }
-    Tie tie{node, {}, {}, {}};
+    Tie tie{node, {}, {}, {}, best};
     const Face& face = surface.faces()[static_cast<std::size_t>(best)];
     for (std::size_t a = 0; a < 4; ++a) {
       tie.corner[a] = face.node[a];
@@ -75,10 +86,10 @@ std::vector<Tie> find_ties(const discretisation::World& world, const model::Cont
     ties.push_back(tie);
   }
   if (ties.empty())
-    diagnostics.error(
-        contact.place, contact.keyword, "SURFA",
-        "no node of tied contact " + std::to_string(contact.id) + " is near a face of side B",
-        "the surfaces must lie within 5 % of a face's size; SAST below 0 gives another distance");
+    diagnostics.error(contact.place, contact.keyword, "SURFA",
+                      "no node of tied contact " + std::to_string(contact.id) + " is near a face of side B",
+                      "the surfaces must lie within 5 % of a face's size (_OFFSET: half of it); SAST below 0 "
+                      "gives another distance");
   else if (loose > 0)
     diagnostics.note(contact.place, contact.keyword, "SURFA",
                      std::to_string(ties.size()) + " nodes of tied contact " + std::to_string(contact.id) +

@@ -83,6 +83,29 @@ void Drives::add(const model::RigidMotion& motion, std::vector<Row>& rows) const
   rows.push_back(row);
 }
 
+void Drives::warn_of_conflicts(deck::Diagnostics& diagnostics) const {
+  const auto clash = [](const Row& first, const Row& second) {
+    if (!first.motion || first.rotation != second.rotation || first.local != second.local) return false;
+    if (first.birth >= second.death || second.birth >= first.death) return false;
+    const double cosine = dot(first.direction, second.direction);
+    return 1.0 - cosine * cosine <= dependent;
+  };
+  for (std::size_t b = 0; b + 1 < first_.size(); ++b) {
+    const Row* told = nullptr;
+    bool held = false;
+    for (std::size_t p = first_[b]; p < first_[b + 1] && !told; ++p)
+      for (std::size_t q = p + 1; q < first_[b + 1] && !told; ++q)
+        if (clash(rows_[p], rows_[q])) told = &rows_[p], held = !rows_[q].motion;
+    if (told)
+      diagnostics.warning(told->motion->place, "BOUNDARY_PRESCRIBED_MOTION_RIGID", "",
+                          "rigid body " + std::to_string(model_.rigid_bodies[b].id) +
+                              (held ? " is held and told to " : " is told twice to ") +
+                              (told->rotation ? "turn about" : "move along") +
+                              " the same direction at the same time",
+                          "the last motion is used, and a motion prevails over what is held");
+  }
+}
+
 double Drives::wanted(const Row& row, std::size_t number, const Moment& now, const BodyNow& at,
                       std::span<double> memory) const {
   if (!row.motion) return 0.0;

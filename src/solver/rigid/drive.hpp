@@ -35,6 +35,9 @@ class Drives {
  public:
   explicit Drives(const model::Model& model);
 
+  /// Warns of each body that is told twice at the same time what it does along a direction.
+  void warn_of_conflicts(deck::Diagnostics& diagnostics) const;
+
   /// Numbers that rows remember: two each, the path so far and the path at birth.
   std::size_t memory_size() const { return 2 * rows_.size(); }
   bool any(std::size_t body) const { return first_[body] < first_[body + 1]; }

@@ -2,72 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "deck/deck.hpp"
-#include "solver/solver.hpp"
+#include "body_run.hpp"
 
 namespace cleave::solver::test {
 namespace {
-
-using model::Vector;
-
-/// A run of deck text.
-struct BodyRun final : Observer {
-  deck::Diagnostics diagnostics;
-  model::Account account;
-  model::Model model;
-  discretisation::World world;
-  discretisation::State state;
-  Outcome outcome;
-  BodyMotion first, last;
-  double least_energy = 1e300, most_energy = -1e300, most_momentum = 0.0;
-
-  explicit BodyRun(const std::string& text, std::int64_t stop = 0) {
-    const deck::Deck deck = deck::Deck::read_text(text + "*END\n", "test.k", {}, diagnostics);
-    model = model::build(deck, {}, diagnostics, account);
-    if (diagnostics.failed()) return;
-    world = discretisation::build(model, diagnostics);
-    const auto solver = make_explicit(world, {stop}, diagnostics);
-    if (diagnostics.failed()) return;
-    EXPECT_TRUE(discretisation::initialise(world, state).ok);
-    Wishes wishes;
-    Observer* const observers[] = {this};
-    outcome = solver->advance(state, observers, wishes);
-  }
-  void begin(const Frame& frame) override {
-    first = frame.bodies.empty() ? BodyMotion{} : frame.bodies[0];
-    after_step(frame);
-  }
-  void after_step(const Frame& frame) override {
-    if (frame.bodies.empty()) return;
-    last = frame.bodies[0];
-    least_energy = std::min(least_energy, frame.state.energy.total());
-    most_energy = std::max(most_energy, frame.state.energy.total());
-    for (int i = 0; i < 3; ++i)
-      most_momentum = std::max(most_momentum, std::abs(last.momentum[i] - first.momentum[i]));
-  }
-  void finish(const Frame&, Ending, const discretisation::StepStatus&) override {}
-
-  bool says(std::string_view phrase) const {
-    for (const auto& d : diagnostics.all())
-      if (d.severity == deck::Severity::error && d.message.find(phrase) != std::string::npos) return true;
-    return false;
-  }
-  double distance(std::size_t a, std::size_t b) const {
-    double square = 0.0;
-    for (std::size_t i = 0; i < 3; ++i)
-      square += std::pow(state.position[3 * a + i] - state.position[3 * b + i], 2);
-    return std::sqrt(square);
-  }
-};
-
-/// A rigid box 1 x 2 x 3, nodes 1 to 8, part 1, density 2.
-std::string box(const std::string& control) {
-  return "*KEYWORD\n" + control +
-         "*MAT_RIGID\n1,2.0,1.0,0.3\n0\n\n*SECTION_SOLID\n1,1\n*PART\nbox\n1,1,1\n*NODE\n1,0,0,0\n2,1,0,0\n"
-         "3,1,2,0\n4,0,2,0\n5,0,0,3\n6,1,0,3\n7,1,2,3\n8,0,2,3\n*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n";
-}
 
 TEST(RigidBodies, FreeBodyKeepsEverythingFor100000Steps) {
   const BodyRun run(
@@ -99,25 +37,75 @@ TEST(RigidBodies, SpinOfANodalVelocityFieldIsFound) {
   EXPECT_NEAR(run.first.velocity[1], 2.0 * 0.5, 1e-13);
 }
 
-// A soft cube above the box, with a common face that does not share nodes.
-const std::string cube =
-    "*MAT_ELASTIC\n2,2.0,1e3,0.3\n*PART\nsoft\n2,1,2\n*NODE\n11,0,0,3\n12,1,0,3\n13,1,2,3\n14,0,2,3\n15,0,0,"
-    "4\n"
-    "16,1,0,4\n17,1,2,4\n18,0,2,4\n*ELEMENT_SOLID\n2,2,11,12,13,14,15,16,17,18\n";
-
-TEST(RigidBodies, TiesWithoutSpringsAreRefused) {
-  const std::string deck = box("*CONTROL_TERMINATION\n0.1\n") + cube;
-  EXPECT_TRUE(
-      BodyRun(deck + "*CONTACT_TIED_NODES_TO_SURFACE\n2,1,3,3\n\n\n").says("belongs to a rigid body"));
-  EXPECT_FALSE(BodyRun(deck + "*CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET\n2,1,3,3\n\n\n").diagnostics.failed());
-}
-
 TEST(RigidBodies, SidesThatCannotMoveAreRefused) {
   std::string deck = box("*CONTROL_TERMINATION\n0.1\n") + cube + "*SET_NODE\n4\n11,12,13,14,15,16,17,18\n" +
                      "*BOUNDARY_SPC_SET\n4,0,1,1,1\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n";
   EXPECT_FALSE(BodyRun(deck, 1).diagnostics.failed());
   deck.replace(deck.find("0.3\n0\n"), 6, "0.3\n1,7,7\n");
   EXPECT_TRUE(BodyRun(deck, 1).says("rigid without mass"));
+}
+
+// A motion and CON1 = 1 (x), or two motions along x, are said; along x and y, or one after the other, are
+// not.
+TEST(RigidBodies, TwoMastersOfOneDirectionAreSaid) {
+  const std::string curve = "*DEFINE_CURVE\n1\n0,1\n9,1\n*BOUNDARY_PRESCRIBED_MOTION_RIGID\n";
+  std::string deck = box("*CONTROL_TERMINATION\n0.1\n");
+  const auto said = [](const std::string& text, std::string_view phrase) {
+    return BodyRun(text, 1).says(phrase, deck::Severity::warning);
+  };
+  EXPECT_TRUE(said(deck + curve + "1,1,2,1,1.0\n1,1,0,1,2.0\n", "is told twice to move along"));
+  EXPECT_TRUE(said(deck + curve + "1,7,2,1,1.0\n1,7,0,1,2.0\n", "is told twice to turn about"));
+  EXPECT_FALSE(said(deck + curve + "1,1,2,1,1.0\n1,2,0,1,2.0\n1,5,0,1,1.0\n", "same direction"));
+  EXPECT_FALSE(said(deck + curve + "1,1,2,1,1.0,0,0.05\n1,1,0,1,2.0,0,1.0,0.05\n", "same direction"));
+  deck.replace(deck.find("0.3\n0\n"), 6, "0.3\n1,1,0\n");
+  EXPECT_TRUE(said(deck + curve + "1,1,2,1,1.0\n", "is held and told to move along"));
+  EXPECT_FALSE(said(deck + curve + "1,2,2,1,1.0\n", "same direction"));
+}
+
+// On a base that turns about z by w the box, its long axis leaning by 45 degrees from z to x, feels at its
+// centre m w^2 R outward and the moment w^2 (J d) x d, which rights it: about y, w^2 (Jz - Jx) / 2.
+TEST(RigidBodies, CentrifugalMomentOfABody) {
+  std::string deck = box(
+      "*CONTROL_TERMINATION\n0.01\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,9\n*DEFINE_CURVE\n9\n0,1e-3\n9999,1e-3\n");
+  // Turn the nodes about y through the origin by 45 degrees.
+  const std::size_t from = deck.find("*NODE\n") + 6, to = deck.find("*ELEMENT_SOLID");
+  std::string nodes;
+  const double s = std::sqrt(0.5);
+  for (int a = 0; a < 8; ++a) {
+    const double x = (a & 3) == 1 || (a & 3) == 2 ? 1.0 : 0.0, y = (a & 3) >= 2 ? 2.0 : 0.0,
+                 z = a >= 4 ? 3.0 : 0.0;
+    char text[128];
+    std::snprintf(text, sizeof text, "%d,%.15g,%.15g,%.15g\n", a + 1, s * (x + z), y, s * (z - x));
+    nodes += text;
+  }
+  deck.replace(from, to - from, nodes);
+  const double w = 0.7, xx = 13.0, zz = 5.0;  // of the box about its own axes, 12 [mass]
+  const BodyRun run(deck +
+                    "*SET_NODE_LIST_GENERATE\n3\n1,8\n*DEFINE_CURVE\n4\n0,0.7\n9,0.7\n"
+                    "*LOAD_BODY_GENERALIZED_SET_NODE\n3,0,4,0,0,0,0\n0,0,0,0,0,1.0,0,CENT\n");
+  ASSERT_FALSE(run.diagnostics.failed());
+  EXPECT_NEAR(run.first.acceleration[0], w * w * s * 2.0, 1e-12);
+  EXPECT_NEAR(run.first.acceleration[1], w * w * 1.0, 1e-12);
+  EXPECT_NEAR(run.first.acceleration[2], 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(run.last.momentum[1]), 0.01 * w * w * 0.5 * (xx - zz), 1e-5);
+  EXPECT_NEAR(run.last.momentum[0], 0.0, 1e-12);
+}
+
+// Mass damping D: the speed falls as exp(-D t), and so does the spin about a principal axis; what it takes is
+// booked.
+TEST(RigidBodies, DampingOfABody) {
+  for (const std::string card :
+       {"*DAMPING_GLOBAL\n0,0.5\n", "*DAMPING_PART_MASS\n1,1,0.5\n*DEFINE_CURVE\n1\n0,1\n99,1\n"}) {
+    const BodyRun run(box("*CONTROL_TERMINATION\n2.0\n*CONTROL_ENERGY\n2,2,2,2\n*CONTROL_TIMESTEP\n0,0.9,0,0,"
+                          "0,9\n*DEFINE_CURVE\n9\n0,1e-3\n9999,1e-3\n") +
+                      "*INITIAL_VELOCITY_RIGID_BODY\n1,1.0,0,0,0,0,0.8\n" + card);
+    ASSERT_FALSE(run.diagnostics.failed());
+    const double left = std::exp(-0.5 * run.state.time);
+    EXPECT_NEAR(run.last.velocity[0], left, 1e-3 * left);
+    EXPECT_NEAR(run.last.spin[2], 0.8 * left, 1e-3 * left);
+    EXPECT_NEAR(run.state.energy.damping, (1.0 - left * left) * (6.0 + 0.5 * 5.0 * 0.64), 0.01);
+    EXPECT_LT(run.most_energy - run.least_energy, 1e-11 * run.most_energy);
+  }
 }
 
 TEST(RigidBodies, NodalBodyWithoutMassIsRefused) {

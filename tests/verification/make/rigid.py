@@ -229,6 +229,51 @@ def rigid_merged():
     return deck
 
 
+@case
+def rigid_walls():
+    """Rigid bodies and planar walls, by penalty: a ball bounces, a box rests, one slides, a wall pushes one."""
+    end, step, weight, mu, v = 0.5, 1e-4, 20.0, 0.2, 0.8
+    deck = start("rigid_walls", "Rigid bodies on rigid walls", "rigid bodies meet planar rigid walls by penalty (RWPNAL)",
+                 "closed form: elastic rebound, weight, v^2 / (2 mu g), exchange of velocity with a wall of equal mass",
+                 end, step, files=("GLSTAT", "MATSUM", "RBDOUT", "RWFORC"))
+    mesh = Bodies()
+    ball(mesh, 1, (0.0, 0.0, 1.2), 1.0, 4)
+    size = (1.0, 1.0, 0.5)
+    for p in (2, 3, 4):
+        mesh.block(p, (2, 2, 2), box((10.0 * p, 0.0, 0.0), size))
+    mass = 4.0 * size[0] * size[1] * size[2]
+    accel = weight / mass
+    for axis, expected in (("z", "2.0  rel=0.01"), ("x", "0.3  abs=1e-12")):
+        deck.says("expect", f"{axis}_velocity body=1  {expected} ({'order: the force ends within a step' if axis == 'z' else 'roundoff'})")
+    deck.says("expect", "y_spin body=1  0.0  abs=1e-10 (roundoff)")
+    deck.says("expect", f"normal_force wall=1  {weight:.6g}  rel=1e-3 (order: it has come to rest)")
+    deck.says("expect", "z_velocity body=2  0.0  abs=1e-6 (order)")
+    deck.says("expect", f"x_displacement body=3  {v * v / (2 * mu * accel):.9g}  rel=0.005 (order: the springs of friction)")
+    deck.says("expect", "x_velocity body=4  2.0  rel=0.01 (order)")
+    deck.says("expect", "velocity wall=3  0.0  abs=0.02 (order)")
+    deck.says("expect", f"stonewall_energy  {0.5 * mass * v * v:.6g}  rel=0.02 (order: the heat of the sliding box)")
+    deck.says("expect", "energy_ratio range  0.0  abs=1e-10 (roundoff: all work is booked)")
+    deck.says("vary", "threads=1,2,3,7 restart=no,1234")
+    deck.card("CONTROL_CONTACT", [0.1, 1.0], [0])
+    rigid(deck, 1, 4.0, 1.0e3)
+    for p in (1, 2, 3, 4):
+        deck.part(p, 1, 1)
+    deck.card("INITIAL_VELOCITY_RIGID_BODY", [1, 0.3, 0.0, -2.0], [3, v])
+    deck.curve(1, [(0.0, 1.0), (100.0, 1.0)])
+    deck.card("LOAD_RIGID_BODY", [2, 3, 1, -weight], [3, 3, 1, -weight])
+    # Near critical damping of the box on its springs, 2 w with w^2 = k / m = 0.1 / (6 dt^2): it comes to rest at once.
+    deck.card("DAMPING_PART_MASS", [2, 1, 400.0])
+    first = deck.node_set(mesh.members[1] + mesh.members[2])
+    second = deck.node_set(mesh.members[3])
+    third = deck.node_set(mesh.members[4])
+    deck.card("RIGIDWALL_PLANAR_ID", "         1floor", [first], [0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+    deck.card("RIGIDWALL_PLANAR_FINITE_ID", "         2rough", [second], [25.0, -1.0, 0.0, 25.0, -1.0, 1.0, mu],
+              [26.0, -1.0, 0.0, 10.0, 3.0])
+    deck.card("RIGIDWALL_PLANAR_MOVING_ID", "         3piston", [third], [39.9, 0.0, 0.0, 41.0, 0.0, 0.0], [mass, 2.0])
+    deck.mesh(mesh)
+    return deck
+
+
 # --- with bodies that deform -------------------------------------------------------------------------------------
 
 YOUNG, DENSITY, WAVE = 200.0e9, 8000.0, 5000.0
