@@ -101,15 +101,16 @@ class Candidates {
   /// @param look  (thing, its faces ascending, std::vector<Touch>& to append to)
   template <class Look>
   void touches(std::size_t grain, std::vector<Touch>& out, const Look& look) {
+    if (base::thread_count() == 1) {  // no need to put together what is in order already
+      for (std::size_t i = 0; i < who_.size(); ++i) look(who_[i], faces_of(i), out);
+      return;
+    }
     const std::size_t count = (who_.size() + grain - 1) / grain;
     if (found_.size() < count) found_.resize(count);
     base::for_each_range(who_.size(), grain, [&](std::size_t begin, std::size_t end) {
       std::vector<Touch>& found = found_[begin / grain];
       found.clear();
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto from = static_cast<std::size_t>(first_[i]), to = static_cast<std::size_t>(first_[i + 1]);
-        look(who_[i], std::span<const std::int32_t>(list_).subspan(from, to - from), found);
-      }
+      for (std::size_t i = begin; i < end; ++i) look(who_[i], faces_of(i), found);
     });
     for (std::size_t p = 0; p < count; ++p) out.insert(out.end(), found_[p].begin(), found_[p].end());
   }
@@ -117,13 +118,16 @@ class Candidates {
   /// Calls visit(thing, its faces ascending) for all listed things.
   template <class Visit>
   void each(const Visit& visit) const {
-    for (std::size_t i = 0; i < who_.size(); ++i) {
-      const auto from = static_cast<std::size_t>(first_[i]), to = static_cast<std::size_t>(first_[i + 1]);
-      visit(who_[i], std::span<const std::int32_t>(list_).subspan(from, to - from));
-    }
+    for (std::size_t i = 0; i < who_.size(); ++i) visit(who_[i], faces_of(i));
   }
 
  private:
+  /// Of the i-th thing near any face.
+  std::span<const std::int32_t> faces_of(std::size_t i) const {
+    const auto from = static_cast<std::size_t>(first_[i]), to = static_cast<std::size_t>(first_[i + 1]);
+    return std::span<const std::int32_t>(list_).subspan(from, to - from);
+  }
+
   /// What one range of things lists.
   struct Part {
     std::vector<std::int32_t> who, first, list;

@@ -231,13 +231,15 @@ class Interface final : public Interaction {
     else
       touch.pressure = push * touch.normal;
 
+    double holding = push;  // what holds by friction: damping is part of it
     if (contact_.damping > 0.0) {
       const double critical = 2.0 * std::sqrt(touch.stiffness * mass);
       const double brake = std::max(-contact_.damping * critical * approach, -push);  // never pulls
       touch.viscous = brake * touch.normal;
+      holding += brake;
       largest_damping = contact_.damping;
     }
-    rub(now, touch, old, v - approach * touch.normal, push, kept);
+    rub(now, touch, old, v - approach * touch.normal, holding, kept);
     return kept;
   }
 

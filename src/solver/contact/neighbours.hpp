@@ -21,7 +21,7 @@ inline std::vector<std::int64_t> with_neighbours(const Surface& surface, std::in
 /// The least offset of the pairs of the step before that push and have one of the two faces and a neighbour
 /// of the other; `out_of_reach` where there is none. Neighbours of both do not count, nor do pairs that are
 /// much less deep than this one: then it is a far side.
-/// @param depth  of the pair f, g [length]
+/// @param depth  of the pair f, g, at least, a step ago [length]
 inline double handed_on(const Past& past, const Surface& a, const Surface& b, std::int32_t f, std::int32_t g,
                         double depth) {
   constexpr double as_deep = 3.0;

@@ -15,7 +15,6 @@ constexpr double full_facing = 0.3;   // and fully at less than 73
 constexpr double flat = 0.996;        // less than 5 degrees: the depth is integrated,
 constexpr double poking = 0.95;       // more than 18: a corner or an edge meets the whole face,
 constexpr double grasp = 4.0;         // of a small shared area: this and one times as stiff
-constexpr double firm = 1.0;          // and this much stiffer than parallel faces
 constexpr int of_b = 4;               // edges of a have their number, those of b theirs and this,
 constexpr int of_depth = 8;           // and this is where the depth is that which counts as none
 
@@ -29,9 +28,12 @@ Ramp ramp(double x, double from, double to) {
 }
 
 double total(const Lanes& lanes) {
-  double sum = 0.0;
-  for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
-  return sum;
+  alignas(64) double x[lane_count];
+  lanes.store(x);
+  return ((x[0] + x[4]) + (x[1] + x[5])) + ((x[2] + x[6]) + (x[3] + x[7]));
+}
+double length(double x, double y) {
+  return std::sqrt(x * x + y * y);
 }
 
 /// The middles of the edges of a fan of triangles, with weights: exact to second degree. Lanes that are not
@@ -74,7 +76,7 @@ struct Cone {
   alignas(64) double with_square[room], with_volume[room];  // changes of both integrals with their depths
   double area = 0.0, volume = 0.0, square = 0.0;
 
-  Cone(const Polygon& polygon, const double* depth) {
+  void integrate(const Polygon& polygon, const double* depth) {
     for (int i = 0; i < room; ++i) {
       x[i] = polygon.at[i < polygon.count ? i : 0].x;
       y[i] = polygon.at[i < polygon.count ? i : 0].y;
@@ -199,8 +201,12 @@ bool Overlap::share(const Vector a[4], const Vector b[4]) {
   for (int i = 0; i < sb_.count && shared_.count >= 3; ++i) {
     const Point &p = sb_.p[i], &q = sb_.p[(i + 1) % sb_.count];
     double v[Polygon::most];
-    for (int c = 0; c < shared_.count; ++c) v[c] = cross2(p, q, shared_.at[c]);
-    shared_ = shared_.cut(v, of_b + i);
+    bool some = false;
+    for (int c = 0; c < shared_.count; ++c) {
+      v[c] = cross2(p, q, shared_.at[c]);
+      some = some || v[c] < 0.0;
+    }
+    if (some) shared_ = shared_.cut(v, of_b + i);
   }
   if (shared_.count < 3) return false;
   area_ = shared_.area();
@@ -240,14 +246,15 @@ double Overlap::penetration() const {
     }
     deepest = std::max(deepest, square * gap_[i]);
   }
+  if (deepest * deepest < 1e-3 * area_) return deepest;
   // How far each reaches over the edges of the other.
   const auto over = [&](const Shadow& edges, const Shadow& face, double sign) {
     for (int i = 0; i < edges.count; ++i) {
       const Point &p = edges.p[i], &q = edges.p[(i + 1) % edges.count];
-      const double length = std::hypot(q.x - p.x, q.y - p.y);
+      const double edge = length(q.x - p.x, q.y - p.y);
       double most = 0.0;
       for (int c = 0; c < face.count; ++c) most = std::max(most, sign * cross2(p, q, face.p[c]));
-      if (length > 0.0) deepest = std::min(deepest, most / length);
+      if (edge > 0.0) deepest = std::min(deepest, most / edge);
     }
   };
   over(sb_, sa_, 1.0);
@@ -266,7 +273,14 @@ bool Overlap::push(const Springs& springs, double offset, Push& out) {
   double above[Polygon::most], at_corner[Polygon::most];
   int from[Polygon::most];
   for (int i = 0; i < shared_.count; ++i) above[i] = gap_[i] - offset;
-  const Polygon deep = shared_.cut(above, of_depth, from);
+  Polygon cut;
+  bool some = false;
+  for (int i = 0; i < shared_.count; ++i) {
+    from[i] = i;
+    some = some || above[i] < 0.0;
+  }
+  if (some) cut = shared_.cut(above, of_depth, from);
+  const Polygon& deep = some ? cut : shared_;
   if (deep.count < 3) return false;
   for (int i = 0; i < deep.count; ++i) at_corner[i] = from[i] < 0 ? 0.0 : std::max(above[from[i]], 0.0);
 
@@ -293,27 +307,35 @@ bool Overlap::push(const Springs& springs, double offset, Push& out) {
   // Where the faces are parallel: half the integral of g^2, and more by its mean over the shared polygon.
   // Where a corner or an edge pokes: that of a depth d = (integral of g^2) / (integral of g) over as much as
   // a whole face, unless they share hardly anything.
-  const Cone cone(deep, at_corner);
-  if (!(cone.volume > 0.0)) return false;
-  const double squares = total(square), mean = squares / area_, d = cone.square / cone.volume;
+  const Ramp pokes = ramp(-facing_, -flat, -poking);
+  const double squares = total(square), mean = squares / area_;
+  Cone cone;
+  double d = 0.0;
+  if (pokes.value > 0.0) {
+    cone.integrate(deep, at_corner);
+    if (!(cone.volume > 0.0)) return false;
+    d = cone.square / cone.volume;
+  } else if (!(squares > 0.0)) {
+    return false;
+  }
   const double harder = springs.hardening, poke_harder = springs.poke_hardening;
   const double share = 1.0 / (1.0 + grasp * area_ / springs.smaller_area);
-  const double poke_area = firm * (1.0 + grasp) * area_ * share;
+  const double poke_area = (1.0 + grasp) * area_ * share;
   const double flat_energy = 0.5 * squares * (1.0 + 0.5 * harder * mean);
   const double poke_energy = 0.5 * poke_area * d * d * (1.0 + 0.5 * poke_harder * d * d);
   Ramp fade = ramp(facing_, least_facing, full_facing);
   const double stretch = 2.0 * springs.area / la_;
   fade.value *= stretch;
   fade.slope *= stretch;
-  const Ramp pokes = ramp(-facing_, -flat, -poking);
   const double mixed = flat_energy + pokes.value * (poke_energy - flat_energy);
   out.energy = fade.value * mixed;
   const double of_flat = fade.value * (1.0 - pokes.value), of_poke = fade.value * pokes.value;
   const double with_square = 0.5 * of_flat * (1.0 + harder * mean);
   const double with_area =
-      0.5 * of_poke * firm * (1.0 + grasp) * share * share * d * d * (1.0 + 0.5 * poke_harder * d * d) -
+      0.5 * of_poke * (1.0 + grasp) * share * share * d * d * (1.0 + 0.5 * poke_harder * d * d) -
       0.25 * of_flat * harder * mean * mean;
-  const double with_d = of_poke * poke_area * d * (1.0 + poke_harder * d * d) / cone.volume;  // per volume
+  const double with_d =  // per volume
+      of_poke > 0.0 ? of_poke * poke_area * d * (1.0 + poke_harder * d * d) / cone.volume : 0.0;
   const double with_facing = fade.slope * mixed - fade.value * pokes.slope * (poke_energy - flat_energy);
 
   Gathered on_a, on_b;
@@ -335,16 +357,18 @@ bool Overlap::push(const Springs& springs, double offset, Push& out) {
       normal += with_gap;
     }
   out.normal = total(normal);
-  const double along = 2.0 - d * cone.area / cone.volume;  // by how much d grows with the depth
   // The edges of what they share stiffen it as well: they pull by the square of the depth.
   double around = 0.0;
   for (int i = 0; i < shared_.count; ++i) {
     const Point &p = shared_.at[i], &q = shared_.at[shared_.next(i)];
-    around += std::hypot(q.x - p.x, q.y - p.y);
+    around += length(q.x - p.x, q.y - p.y);
   }
-  out.rate = of_flat * (out.deep_area * (1.0 + 3.0 * harder * mean) + around * d) +
-             of_poke * (poke_area * along * along + firm * (1.0 + grasp) * share * share * around * d) *
-                 (1.0 + 3.0 * poke_harder * d * d);
+  out.rate = of_flat * (out.deep_area * (1.0 + 3.0 * harder * mean) + around * std::sqrt(mean));
+  if (of_poke > 0.0) {
+    const double along = 2.0 - d * cone.area / cone.volume;  // by how much d grows with the depth
+    out.rate += of_poke * (poke_area * along * along + (1.0 + grasp) * share * share * around * d) *
+                (1.0 + 3.0 * poke_harder * d * d);
+  }
   const double per_normal = out.normal > 0.0 ? 1.0 / out.normal : 0.0;
   for (int c = 0; c < 4; ++c) {
     out.wa[c] = total(on_a.z[c]) * per_normal;
@@ -362,11 +386,12 @@ bool Overlap::push(const Springs& springs, double offset, Push& out) {
     move_edge(polygon.at[i], polygon.at[polygon.next(i)], density, face.p[one], face.p[other], change.p[one],
               change.p[other]);
   };
+  const double with_all = some ? 0.0 : with_area;
   for (int i = 0; i < deep.count; ++i) {
     if (deep.edge[i] == of_depth) continue;
     const double from_here = at_corner[i], to_there = at_corner[deep.next(i)];
     const auto density = [&](double g, double linear) {
-      return with_square * g * g + with_d * linear * (linear - d);
+      return with_square * g * g + with_d * linear * (linear - d) + with_all;
     };
     const double at[3] = {density(from_here, from_here),
                           density(gap[Quadrature::of_edge(deep, i)], 0.5 * (from_here + to_there)),
@@ -374,7 +399,7 @@ bool Overlap::push(const Springs& springs, double offset, Push& out) {
     edge(deep, i, at);
   }
   const double whole[3] = {with_area, with_area, with_area};
-  if (with_area != 0.0)
+  if (with_area != 0.0 && some)
     for (int i = 0; i < shared_.count; ++i) edge(shared_, i, whole);
   balance(a, b);
   to_corners(a, b, with_facing, -out.energy / la_, out);
@@ -383,7 +408,7 @@ bool Overlap::push(const Springs& springs, double offset, Push& out) {
 
 /// The forces across the normal balance as far as the quadrature is exact; this takes away what is left.
 void Overlap::balance(ShadowChange& a, ShadowChange& b) const {
-  Point sum, middle;
+  Point sum{0.0, 0.0}, middle{0.0, 0.0};
   const auto each = [&](const auto& visit) {
     for (int c = 0; c < 4; ++c) {
       visit(sa_.p[c], a.p[c]);

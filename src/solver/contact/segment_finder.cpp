@@ -17,9 +17,8 @@ constexpr double reach_depth = 0.5;  // of the mean thickness of both: deeper is
 constexpr double keep_depth = 1.0;
 constexpr double stiffer = 4.0;  // than a node's spring; the step of the elements leaves room for it
 
-constexpr double hard_depth = 0.1;    // of the mean thickness: there the pressure is twice e times the depth
-constexpr double poke_depth = 0.1;    // the same where a corner or an edge pokes
-constexpr double from_outside = 0.2;  // of the depth a step later, below which sides met from outside
+constexpr double hard_depth = 0.1;  // of the mean thickness: there the pressure is twice e times the depth
+constexpr double poke_depth = 0.1;  // the same where a corner or an edge pokes
 
 class SegmentFinder final : public Finder {
  public:
@@ -108,31 +107,37 @@ class SegmentFinder final : public Finder {
     Vector x[4];
     corners(now, face_a(f), x);
     const Gate gate(x);
+    std::span<const Remembered> pairs;  // of this face
+    bool looked_up = false;
+    Gate::Corners y{};
+    alignas(64) double limit[base::lane_count] = {};
     for (std::size_t from = 0; from < near.size(); from += base::lane_count) {
       const std::size_t count = std::min<std::size_t>(base::lane_count, near.size() - from);
-      Gate::Corners y;
-      base::Lanes limit;
-      for (std::size_t lane = 0; lane < base::lane_count; ++lane) {
-        const Face& other = face(near[from + std::min(lane, count - 1)]);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const Face& other = face(near[from + lane]);
         Vector corner[4];
         corners(now, other, corner);
         for (std::size_t i = 0; i < 4; ++i) y.set(i, lane, corner[i]);
-        limit.set(
-            static_cast<int>(lane),
-            keep_depth * 0.5 * (face_a(f).thickness + other.thickness + face_a(f).offset + other.offset));
+        limit[lane] =
+            keep_depth * 0.5 * (face_a(f).thickness + other.thickness + face_a(f).offset + other.offset);
       }
-      const base::Mask may = gate.open(y, limit);
+      const base::Mask may = gate.open(y, base::Lanes::load(limit));
       for (std::size_t lane = 0; lane < count; ++lane)
-        if (may[static_cast<int>(lane)]) press(now, past, f, near[from + lane], x, y.face(lane), out);
+        if (may[static_cast<int>(lane)]) {
+          if (!looked_up) pairs = past.of(f);
+          looked_up = true;
+          press(now, past, pairs, f, near[from + lane], x, y.face(lane), out);
+        }
     }
   }
 
-  void press(const Moment& now, const Past& past, std::int32_t f, std::int32_t g, const Vector x[4],
-             const std::array<Vector, 4>& y, std::vector<Touch>& out) const {
+  void press(const Moment& now, const Past& past, std::span<const Remembered> pairs, std::int32_t f,
+             std::int32_t g, const Vector x[4], const std::array<Vector, 4>& y,
+             std::vector<Touch>& out) const {
     const Face &one = face_a(f), &other = face(g);
     Overlap shared;
     if (!shared.meet(x, y.data())) return;
-    Touch touch;
+    Touch& touch = out.emplace_back();
     touch.faces = true;
     touch.key[0] = f;
     touch.key[1] = g;
@@ -140,24 +145,25 @@ class SegmentFinder final : public Finder {
       touch.a[i] = one.node[i];
       touch.b[i] = other.node[i];
     }
-    shared.weights_there(touch.wa, touch.wb);
     touch.normal = shared.normal();
     touch.face = g;
     touch.depth = shared.deepest();
     const double thick = 0.5 * (one.thickness + other.thickness);
-    if (touch.depth > release_depth(contact_, thick)) return;
-    if (const Remembered* old = past.find(touch.key)) {
+    if (touch.depth > release_depth(contact_, thick)) return out.pop_back();
+    auto old = pairs.begin();
+    while (old != pairs.end() && old->key[1] < static_cast<double>(g)) ++old;
+    if (old != pairs.end() && old->key[1] == static_cast<double>(g)) {
       touch.offset = old->offset == out_of_reach ? out_of_reach : std::min(old->offset, touch.depth);
     } else {
-      const double before =
-          touch.depth + base::dot(relative(touch, now.velocity), touch.normal) * now.step_before;
-      // Behind the middle of a shell is its other side.
-      const double reach = one.shell || other.shell ? one.offset + other.offset : reach_depth * thick;
-      if (before > 0.0 && touch.depth > reach) return;
-      if (now.step_before == 0.0)
-        touch.offset = touch.depth;  // what penetrates at the start counts as touching
-      else if (before > from_outside * touch.depth)
-        touch.offset = from_side(now, past, f, g, touch.depth);
+      const double reach = reach_of(one, other);
+      if (now.step_before == 0.0) {  // what penetrates at the start counts as touching
+        touch.offset = touch.depth <= reach ? touch.depth : out_of_reach;
+      } else {
+        shared.weights_there(touch.wa, touch.wb);
+        const double way = norm(relative(touch, now.velocity)) * now.step_before;
+        touch.offset = first_offset(now, past, f, g, touch.depth, way);
+      }
+      if (touch.offset == out_of_reach && touch.depth > reach) return out.pop_back();
     }
     const Springs springs{one.area, std::min(one.area, other.area),
                           1.0 / (hard_depth * hard_depth * thick * thick),
@@ -179,24 +185,38 @@ class SegmentFinder final : public Finder {
       to_nodes(now, one, touch.on_a);
       to_nodes(now, other, touch.on_b);
     } else {
-      for (std::size_t i = 0; i < 4; ++i) touch.on_a[i] = touch.on_b[i] = {0, 0, 0};
+      for (std::size_t i = 0; i < 4; ++i) {
+        touch.wa[i] = touch.wb[i] = 0.0;
+        touch.on_a[i] = touch.on_b[i] = {0, 0, 0};
+      }
     }
     touch.penetration = shared.penetration();
-    out.push_back(touch);
   }
 
-  /// The depth that counts as none for a pair that comes to lie behind each other from the side. Its energy
-  /// grows from zero with the area they share, whatever is decided here, and stays with the pair until they
-  /// part. Sliding bodies hand their pressure from face to face. Where none around pushes, the pair is the
-  /// far side of a wedge or of a corner and does not push either.
-  double from_side(const Moment& now, const Past& past, std::int32_t f, std::int32_t g, double depth) const {
-    if (contact_.eroding) {  // or it was laid bare where it is
-      Vector x[4], y[4];
-      corners_before(now, face_a(f), x);
-      corners_before(now, face(g), y);
-      if (Overlap().meet(x, y)) return depth;
+  /// The depth that counts as none for a pair that was not there a step ago: none where they met from
+  /// outside. Where they came from the side its energy grows from zero with the area they share, whatever is
+  /// decided here, and stays with the pair until they part. Sliding bodies hand their pressure from face to
+  /// face; where none around pushes at such a depth, the pair is the far side of a wedge or of a corner and
+  /// does not push. Nor does one that lay so before, unless it was laid bare where it is.
+  /// @param way  of one relative to the other in the last step [length]
+  double first_offset(const Moment& now, const Past& past, std::int32_t f, std::int32_t g, double depth,
+                      double way) const {
+    Vector x[4], y[4];
+    corners_before(now, face_a(f), x);
+    corners_before(now, face(g), y);
+    Overlap before;
+    if (before.share(x, y)) {
+      if (before.deepest() <= 0.0) return 0.0;
+      return contact_.eroding && depth <= reach_of(face_a(f), face(g)) ? depth : out_of_reach;
     }
-    return handed_on(past, *a_, *b_, f, g, depth);
+    if (depth <= way) return 0.0;
+    return handed_on(past, *a_, *b_, f, g, depth - way);
+  }
+  /// How deep faces may be that were not seen to come so; deeper is another side of a body.
+  static double reach_of(const Face& one, const Face& other) {
+    // Behind the middle of a shell is its other side.
+    if (one.shell || other.shell) return one.offset + other.offset;
+    return reach_depth * 0.5 * (one.thickness + other.thickness);
   }
   static void corners_before(const Moment& now, const Face& face, Vector (&x)[4]) {
     corners(now, face, x);

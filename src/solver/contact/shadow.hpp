@@ -11,7 +11,7 @@
 namespace cleave::solver {
 
 struct Point {
-  double x = 0.0, y = 0.0;
+  double x, y;
 };
 /// Twice the area of a triangle, positive counter-clockwise.
 inline double cross2(const Point& a, const Point& b, const Point& c) {
@@ -51,9 +51,9 @@ struct Shadow {
     Lanes r = 0.5, s = 0.5;
     const Point e{p[1].x - p[0].x, p[1].y - p[0].y}, f{p[3].x - p[0].x, p[3].y - p[0].y};
     const Point h{p[2].x - p[1].x - f.x, p[2].y - p[1].y - f.y};
-    // What one round leaves is the product of its changes times h: a parallelogram needs one round.
+    // What one round of Newton leaves is the product of its changes times h.
     const double left = std::abs(h.x) + std::abs(h.y);
-    const double small = 1e-16 * (std::abs(e.x) + std::abs(e.y) + std::abs(f.x) + std::abs(f.y));
+    const double small = 1e-15 * (std::abs(e.x) + std::abs(e.y) + std::abs(f.x) + std::abs(f.y));
     const Lanes qx = x - p[0].x, qy = y - p[0].y;
     Lanes a, b, c, d, inverse;
     const auto jacobian = [&] {
@@ -61,18 +61,25 @@ struct Shadow {
       const Lanes det = a * d - b * c;
       inverse = Lanes(1.0) / select(abs(det) > 0.0, det, Lanes(1e300));
     };
-    for (int k = 0; k < 8; ++k) {
+    if (left <= small) {
+      const double per = 1.0 / (e.x * f.y - f.x * e.y);
+      r = (qx * f.y - qy * f.x) * per;
+      s = (qy * e.x - qx * e.y) * per;
+      a = e.x, b = f.x, c = e.y, d = f.y, inverse = per;
+    } else {
+      for (int k = 0; k < 8; ++k) {
+        jacobian();
+        const Lanes rs = r * s;
+        const Lanes dx = qx - r * e.x - s * f.x - rs * h.x, dy = qy - r * e.y - s * f.y - rs * h.y;
+        const Lanes dr = (dx * d - dy * b) * inverse, ds = (dy * a - dx * c) * inverse;
+        r += dr;
+        s += ds;
+        if (!any(abs(dr * ds) * left > small)) break;
+      }
       jacobian();
-      const Lanes rs = r * s;
-      const Lanes dx = qx - r * e.x - s * f.x - rs * h.x, dy = qy - r * e.y - s * f.y - rs * h.y;
-      const Lanes dr = (dx * d - dy * b) * inverse, ds = (dy * a - dx * c) * inverse;
-      r += dr;
-      s += ds;
-      if (!any(abs(dr * ds) * left > small)) break;
     }
     r = max(min(r, Lanes(1.0)), Lanes(0.0));
     s = max(min(s, Lanes(1.0)), Lanes(0.0));
-    jacobian();
     const Lanes q = Lanes(1.0) - r, t = Lanes(1.0) - s;
     v.w[0] = q * t;
     v.w[1] = r * t;
@@ -88,8 +95,8 @@ struct Shadow {
 
 /// How much a scalar changes with the places and heights of the corners of a shadow.
 struct ShadowChange {
-  Point p[4];
-  double z[4] = {0.0, 0.0, 0.0, 0.0};
+  Point p[4] = {};
+  double z[4] = {};
 
   /// Changes that grow with the height at points of the face: the height changes with those of the corners,
   /// and because a slope moves sideways.

@@ -151,6 +151,51 @@ TEST(Contact, FrictionTakesEnergy) {
   }
 }
 
+// Friction never exceeds its coefficient times all that presses, damping included: in each step, and most of
+// all when bodies part, where damping takes away from the pressure of the springs.
+TEST(Contact, DampingIsPartOfWhatHoldsByFriction) {
+  struct Worst final : Observer {
+    double over = 0.0, shear = 0.0;
+    void begin(const Frame&) override {}
+    void after_step(const Frame& frame) override {
+      const InterfaceForce& of = frame.interfaces[0];
+      const double across = std::hypot(of.force[1], of.force[2]), along = std::abs(of.force[0]);
+      shear = std::max(shear, across);
+      over = std::max(over, across - 0.3 * along);
+    }
+    void finish(const Frame&, Ending, const discretisation::StepStatus&) override {}
+  };
+  for (const int soft : {0, 1, 2}) {
+    Worst worst;
+    const DeckRun run(head(1.0) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
+                          cube(2, {1.05, 0.2, 0}, 0, 0, {-0.5, 0.5, 0}, 0.0) +
+                          contact("AUTOMATIC_SURFACE_TO_SURFACE", soft, "0.3,0.3,0,0,30"),
+                      0, &worst);
+    ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+    EXPECT_GT(worst.shear, 0.01) << soft;
+    EXPECT_LT(worst.over, 0.05 * worst.shear) << soft;  // the faces tilt a little
+  }
+}
+
+// Sharp bodies of few elements tumble over each other: no energy comes from it, and the angular momentum
+// stays.
+TEST(Contact, TumblingSharpBodiesMakeNoEnergy) {
+  for (int pose = 0; pose < 8; ++pose) {
+    const double turn = 0.4 + 0.55 * pose, tilt = 0.3 + 0.37 * pose;
+    const std::string bodies =
+        head(4.0) + cube(1, {0, 0, 0}, 0.9 * turn, 0.5 * tilt, {0.15, 0, 0}, 0.6) +
+        cube(2, {1.75, 0.1 * (pose % 3), 0.07 * pose}, turn, tilt, {-0.15, 0, 0}, -0.6);
+    const DeckRun start(bodies + contact("AUTOMATIC_SURFACE_TO_SURFACE", 2), 1);
+    const DeckRun run(bodies + contact("AUTOMATIC_SURFACE_TO_SURFACE", 2));
+    ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+    EXPECT_EQ(run.outcome.ending, Ending::end_time) << pose << run.outcome.status.what;
+    EXPECT_GT(size(run.momentum() - start.momentum()) + std::abs(run.state.energy.internal), 1e-6) << pose;
+    EXPECT_LT(size(run.spin() - start.spin()), 1e-7) << pose;
+    EXPECT_NEAR(run.state.energy.ratio(), 1.0, 0.01) << pose;
+    EXPECT_GT(run.state.energy.sliding, -0.02 * run.state.energy.kinetic) << pose;
+  }
+}
+
 // Far too soft a contact lets a body through: the run stops and names the place.
 TEST(Contact, TunnellingEndsTheRun) {
   const DeckRun run(head(1.0) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
