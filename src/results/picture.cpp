@@ -191,6 +191,38 @@ std::vector<float> corner_values(const PictureModel& model, const Surface& surfa
   return corners;
 }
 
+/// The body with those walls that show the eye their front, so that none hides what it holds back.
+struct Scenery {
+  Surface surface;
+  std::vector<double> position;
+  std::vector<float> normals, values;
+
+  void add(const WallQuad& quad) {
+    const model::Vector area = base::cross(quad[2] - quad[0], quad[3] - quad[1]);
+    const double size = std::sqrt(base::dot(area, area));
+    if (!(size > 0.0)) return;
+    for (const model::Vector& corner : quad) {
+      surface.node.push_back(static_cast<model::Index>(position.size() / 3));
+      position.insert(position.end(), {corner.x, corner.y, corner.z});
+      for (const double n : {area.x, area.y, area.z}) normals.push_back(static_cast<float>(n / size));
+      values.push_back(std::numeric_limits<float>::quiet_NaN());  // grey
+    }
+    surface.edges.push_back(0);
+    surface.block.push_back(0);
+    surface.element.push_back(0);
+  }
+};
+
+/// Faces of all walls near the body.
+std::vector<WallQuad> quads_of(const std::vector<StandingWall>& walls) {
+  std::vector<WallQuad> quads;
+  for (const StandingWall& wall : walls) {
+    const auto more = wall_quads(wall);
+    quads.insert(quads.end(), more.begin(), more.end());
+  }
+  return quads;
+}
+
 }  // namespace
 
 std::string write_picture(const PictureModel& model, const PictureOptions& options,
@@ -222,10 +254,26 @@ std::string write_picture(const PictureModel& model, const PictureOptions& optio
                        options.height - head - foot};
   const std::vector<View> views = options.views.empty() ? automatic_views(points) : options.views;
   const std::vector<Rectangle> places = place_views(views.size(), area);
+  const std::vector<WallQuad> quads = quads_of(model.walls);
+  std::vector<double> fitted = points;
+  for (const WallQuad& quad : quads)
+    for (const model::Vector& corner : quad) fitted.insert(fitted.end(), {corner.x, corner.y, corner.z});
   for (std::size_t v = 0; v < views.size(); ++v) {
     const int width = static_cast<int>(places[v].width), height = static_cast<int>(places[v].height);
-    const Camera camera(views[v], points, width, height);
-    paper.image(draw(drawing, camera, width, height), std::floor(places[v].x), std::floor(places[v].y));
+    const Camera camera(views[v], fitted, width, height);
+    Drawing seen = drawing;
+    Scenery scenery;
+    if (!quads.empty()) {
+      scenery = {surface, {model.position.begin(), model.position.end()}, normals, values};
+      const model::Vector eye{views[v].eye[0], views[v].eye[1], views[v].eye[2]};
+      for (const WallQuad& quad : quads)
+        if (base::dot(base::cross(quad[2] - quad[0], quad[3] - quad[1]), eye) > 0.0) scenery.add(quad);
+      seen.surface = &scenery.surface;
+      seen.position = scenery.position;
+      seen.normals = scenery.normals;
+      seen.value = scenery.values;
+    }
+    paper.image(draw(seen, camera, width, height), std::floor(places[v].x), std::floor(places[v].y));
     const double axis = std::min(2.6 * unit, 0.1 * std::min(width, height));
     draw_axes(paper, camera, places[v].x + 1.3 * axis, places[v].y + places[v].height - 1.3 * axis, axis);
   }

@@ -8,6 +8,7 @@
 
 #include "results/picture_raster.hpp"
 #include "results/surface.hpp"
+#include "results/wall_quads.hpp"
 
 namespace cleave::results {
 
@@ -18,6 +19,7 @@ struct PictureModel {
   std::vector<std::vector<float>> element_value{};  ///< [block][element]
   std::vector<float> node_value{};                  ///< [node]
   const Surface* surface = nullptr;                 ///< shown in place of the outer faces of `cells`
+  std::vector<StandingWall> walls{};                ///< drawn grey, from the side they stop bodies on
 };
 
 struct PictureOptions {

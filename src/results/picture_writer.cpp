@@ -70,6 +70,32 @@ std::vector<float> displacements(const solver::Frame& frame) {
   return lengths;
 }
 
+/// Walls that act now, where they stand.
+std::vector<StandingWall> walls_of(const solver::Frame& frame) {
+  std::vector<StandingWall> walls;
+  for (std::size_t w = 0; w < frame.walls.size(); ++w) {
+    const model::RigidWall& wall = frame.model.walls[w];
+    if (frame.state.time < wall.birth || frame.state.time >= wall.death) continue;
+    if (wall.nodes.empty()) continue;
+    const double way = frame.walls[w].position;
+    StandingWall standing{&wall, wall.geometric ? way * wall.motion_direction
+                                                : (way - base::dot(wall.origin, wall.normal)) * wall.normal};
+    const auto at = [&](model::Index node) {
+      const double* x = &frame.state.position[3 * static_cast<std::size_t>(node)];
+      return model::Vector{x[0], x[1], x[2]};
+    };
+    standing.low = standing.high = at(wall.nodes[0]);
+    for (const model::Index node : wall.nodes) {
+      const model::Vector x = at(node);
+      model::Vector &low = standing.low, &high = standing.high;
+      low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+      high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+    }
+    walls.push_back(standing);
+  }
+  return walls;
+}
+
 }  // namespace
 
 PictureWriter::PictureWriter(std::filesystem::path run_directory, PictureWriterOptions options)
@@ -129,6 +155,7 @@ void PictureWriter::write(const solver::Frame& frame, const char* name) {
   }
   look.title = frame.model.title;
   look.moment = moment_of(frame);
+  picture.walls = walls_of(frame);
   if (std::string wrong = write_picture(picture, look, directory_ / name); !wrong.empty()) problem_ = wrong;
 }
 

@@ -127,6 +127,7 @@ TEST(RigidWallPenalty, AllNodesByPenalty) {
     Rig rig;
     const Index a = rig.particle(3.0, {0, 0, 1.0}, {1, 0, -2});
     model::RigidWall wall;
+    wall.origin = {0, 0, 0};
     wall.normal = {0, 0, 1};
     wall.nodes = {a};
     wall.penalty = scale;
