@@ -2,6 +2,7 @@
 /// What the benchmarks of the spacetime method have in common: triangles over the unit square, the standing P
 /// wave between rollers that the spectral-element reference solves too, and a front that carries it.
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -22,7 +23,9 @@ using namespace discretisation::spacetime;
 
 /// u = grad of cos(kx x) cos(ky y) up to the amplitude, in time cos(|k| t): rho = c_p = 1, lambda = mu = 1/3.
 struct StandingWave {
-  double kx = 3.0 * std::numbers::pi, ky = 2.0 * std::numbers::pi, omega = std::hypot(kx, ky);
+  explicit StandingWave(double finer = 1.0)
+      : kx(3.0 * std::numbers::pi * finer), ky(2.0 * std::numbers::pi * finer), omega(std::hypot(kx, ky)) {}
+  double kx, ky, omega;
 
   PointState<2> operator()(const Event<2>& y) const {
     const double sx = std::sin(kx * y[0]), cx = std::cos(kx * y[0]), sy = std::sin(ky * y[1]),
@@ -61,7 +64,8 @@ inline SpaceMeshInput<2> squares(int n) {
 }
 
 /// Halves triangles at their newest vertex until those that touch the square [low, high]^2 have legs of
-/// h / 2^levels; the mesh stays conforming. Material 1 gets what is smaller than h / 2.
+/// h / 2^levels; the mesh stays conforming. Material 0 gets what is not smaller than h / 2, 1 and 2 two
+/// generations each, 3 the rest.
 inline SpaceMeshInput<2> refined(int n, double low, double high, int levels) {
   SpaceMeshInput<2> in = squares(n);
   for (auto& t : in.simplex) {  // newest vertex first: the one opposite the diagonal
@@ -118,7 +122,7 @@ inline SpaceMeshInput<2> refined(int n, double low, double high, int levels) {
     }
   }
   in.material.clear();
-  for (const int l : level) in.material.push_back(l > 2 ? 1 : 0);
+  for (const int l : level) in.material.push_back(std::clamp((l - 1) / 2, 0, 3));
   return in;
 }
 
@@ -143,9 +147,11 @@ class Runner {
     if (!fault.ok) std::fprintf(stderr, "%s\n", fault.what.c_str()), std::abort();
     roller_ = make_symmetry<2>();
     problem_.targets.assign(mesh_.boundary().size(), roller_.get());
-    problem_.initial = [this](Simplex, const Event<2>& y) { return initial ? initial(y) : wave_(y); };
+    problem_.initial = [this](Simplex, const Event<2>& y) { return initial ? initial(y) : wave(y); };
   }
   Problem<2>& problem() { return problem_; }
+  const Solution<2>& under(Simplex s) const { return under_[static_cast<std::size_t>(s)]; }
+  StandingWave wave;
   const SpaceMesh<2>& mesh() const { return mesh_; }
   std::function<PointState<2>(const Event<2>&)> initial;  ///< instead of the standing wave
   bool repeat = false;                                    ///< tents repeat and share operators
@@ -214,7 +220,7 @@ class Runner {
   }
   void measure(double end, Outcome& out) const {
     // The mean square of the amplitude of the standing wave is 1/4.
-    measure(end, wave_, 0.5, out);
+    measure(end, wave, 0.5, out);
   }
 
  private:
@@ -265,7 +271,6 @@ class Runner {
     outcome.balance = std::max(outcome.balance, worst.energy);
   }
 
-  StandingWave wave_;
   SpaceMesh<2> mesh_;
   Problem<2> problem_;
   TargetPtr<2> roller_;
