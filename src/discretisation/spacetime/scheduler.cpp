@@ -35,10 +35,10 @@ class ReadyVertices {
     const std::lock_guard lock(mutex_);
     heap_.emplace(window_of(time), v);
   }
-  /// Takes its share of what is ready, at least one if there is any, at most `most`; all of one window.
+  /// Takes its share of what is ready, or enough to find equal ones, at most `most`; all of one window.
   void take(std::size_t most, std::size_t shares, std::vector<Vertex>& out) {
     const std::lock_guard lock(mutex_);
-    most = std::min(most, (heap_.size() + shares - 1) / shares);
+    most = std::min({most, heap_.size(), std::max(enough, (heap_.size() + shares - 1) / shares)});
     while (out.size() < most && (out.empty() || heap_.top().first == window_taken_)) {
       window_taken_ = heap_.top().first;
       out.push_back(heap_.top().second);
@@ -48,6 +48,7 @@ class ReadyVertices {
 
  private:
   using Entry = std::pair<std::int64_t, Vertex>;
+  static constexpr std::size_t enough = 16;  ///< equal ones among fewer would leave lanes empty
   const double window_;
   std::int64_t window_taken_ = 0;
   std::mutex mutex_;
