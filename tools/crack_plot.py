@@ -7,7 +7,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests/verification/make"))
 from crack import StepLoadedCrack  # noqa: E402
-from spacetime import STEEL, speed_d  # noqa: E402
+from spacetime_basics import speed_d  # noqa: E402
+from spacetime_cracks import STEEL  # noqa: E402
 
 
 def main():

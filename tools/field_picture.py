@@ -236,6 +236,9 @@ def main():
         for line in o.line:
             a, b, c, d = map(float, line.split(","))
             panel.line(*to((a, b, 0))[:2], *to((c, d, 0))[:2], (0, 0, 0), 5)
+        for y in range(4, 52 if words else 0):   # a plate for the words: colours may be dark there
+            for x in range(4, min(width, 24 * len(words) + 24)):
+                panel.put(x, y, (255, 255, 255))
         panel.text(16, 14, words, 4)
         left, top = gap + (number % columns) * (width + gap), gap + (number // columns) * (height + gap)
         for y in range(height):

@@ -11,7 +11,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "verification/make"))
 from crack import intensity  # noqa: E402
-from spacetime import STEEL, STEP_STRESS, PLATE_HEIGHT, speed_d  # noqa: E402
+from spacetime_basics import speed_d  # noqa: E402
+from spacetime_cracks import PLATE_HEIGHT, STEEL, STEP_STRESS  # noqa: E402
 
 
 def at_tip(points):
