@@ -115,14 +115,16 @@ void draw_colour_bar(Paper& paper, const Rectangle& bar, const Range& range, dou
 }
 
 /// Small axes in the corner of a view; the one that points at the reader is drawn first, short.
-void draw_axes(Paper& paper, const Camera& camera, double x, double y, double length) {
+void draw_axes(Paper& paper, const Camera& camera, const char* const (&names)[3], double x, double y,
+               double length) {
   struct Axis {
     double end[3];
     const char* name;
     Colour colour;
   };
-  std::array<Axis, 3> axes{
-      {{{}, "x", {0.78f, 0.24f, 0.22f}}, {{}, "y", {0.22f, 0.55f, 0.25f}}, {{}, "z", {0.20f, 0.38f, 0.75f}}}};
+  std::array<Axis, 3> axes{{{{}, names[0], {0.78f, 0.24f, 0.22f}},
+                            {{}, names[1], {0.22f, 0.55f, 0.25f}},
+                            {{}, names[2], {0.20f, 0.38f, 0.75f}}}};
   for (int i = 0; i < 3; ++i) {
     const double unit[3] = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
     camera.turn(unit, axes[static_cast<std::size_t>(i)].end);
@@ -275,7 +277,8 @@ std::string write_picture(const PictureModel& model, const PictureOptions& optio
     }
     paper.image(draw(seen, camera, width, height), std::floor(places[v].x), std::floor(places[v].y));
     const double axis = std::min(2.6 * unit, 0.1 * std::min(width, height));
-    draw_axes(paper, camera, places[v].x + 1.3 * axis, places[v].y + places[v].height - 1.3 * axis, axis);
+    draw_axes(paper, camera, options.axes, places[v].x + 1.3 * axis,
+              places[v].y + places[v].height - 1.3 * axis, axis);
   }
   const double bar_height = std::min(0.72 * area.height, 36.0 * unit);
   draw_colour_bar(

@@ -31,6 +31,7 @@ struct PictureOptions {
   Range range{0.0, 0.0};  ///< of the colours; low = high: that of the values, from 0 if it nearly does
   bool smooth = true;     ///< element values averaged at nodes, else one colour per face
   bool edges = true;
+  const char* axes[3] = {"x", "y", "z"};  ///< their names
 };
 
 /// Draws the outer faces of a mesh with colour bar, text and axes, and writes them to a PNG file (to a

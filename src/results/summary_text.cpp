@@ -73,14 +73,17 @@ std::string Summary::text(const solver::Outcome& outcome) const {
                 static_cast<long long>(cycles_));
   if (!status_.ok) {
     line("");
-    append_format(out, "element %lld: %s\n", static_cast<long long>(status_.element), status_.what.c_str());
+    if (status_.element > 0) append_format(out, "element %lld: ", static_cast<long long>(status_.element));
+    out += status_.what + '\n';
     if (!status_.likely_cause.empty()) {
       line("");
       out += status_.likely_cause + '\n';
     }
   }
-  line("time step");
-  append_format(out, "%.4g at last, between %.4g and %.4g\n", last_step_, step_.low, step_.high);
+  if (cycles_ > 0) {
+    line("time step");
+    append_format(out, "%.4g at last, between %.4g and %.4g\n", last_step_, step_.low, step_.high);
+  }
   line("energies");
   append_format(out, "kinetic %.6g, internal %.6g, hourglass %.4g, external work %.6g\n", energy_.kinetic,
                 energy_.internal, energy_.hourglass, energy_.external);

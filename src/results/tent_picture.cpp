@@ -33,6 +33,7 @@ void TentPicture::finish(const solver::Frame& frame, solver::Ending, const discr
   look.title = frame.model.title;
   look.field = "order of the tents";
   look.moment = "the first " + std::to_string(static_cast<long long>(order.back())) + " tents; time upwards";
+  look.axes[flat ? 1 : 2] = "t";
   if (flat)
     look.views = {{.eye = {0, 0, 1}, .up = {0, 1, 0}}};
   else

@@ -168,6 +168,9 @@ class Tents final : public Solver, private CellSource {
         evaluate(state, everything);
       columns_.written(written_);
       book(cutting_);
+      if (energies_due() && !std::isfinite(state.energy.kinetic + state.energy.internal))
+        return {false, -1, 0, "the energy of the body is not a finite number",
+                "loads or motions beyond the range of numbers: look at their curves and factors"};
       if (const double excess = filler_.volume_error(exchanged_at_); verify_ && !(excess <= volume_tolerance))
         return {false, -1, 0,
                 "the volumes of the tents do not add up to body times time: relative error " +

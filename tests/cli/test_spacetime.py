@@ -1,5 +1,6 @@
 """Spacetime runs: the same bits from any number of threads, wherever they are stopped, however they go on."""
 import random
+import re
 import signal
 import time
 import unittest
@@ -110,6 +111,32 @@ class Spacetime(Case):
         self.assertEqual(summary["eroded_elements"], 0)
         self.assertRegex((self.folder / "whole" / "messag").read_text(), r"quad4 +%d\n" % (COUNT * COUNT))
         self.assertEqual(summary["parts"][0]["initial"]["low"], [-1.0, -1.0, 0.0])
+
+    def test_a_front_that_cannot_go_on(self):
+        # From 0.3 on the traction is beyond the largest number: no patch at the lower edge can be solved.
+        deck = plate(end=0.6).replace("                  0.                  1.\n               1000.                  1.\n",
+                                      "                  0.                  0.\n                 0.3                  0.\n"
+                                      "                0.31              1.e200\n               1000.              1.e200\n")
+        deck = self.write("plate.k", deck.replace("         1         1       -1.\n", "         1         1    1.e200\n"))
+        for command in (("run", deck, "-o", "run", "-q", "-j", 2), ("restart", "run", "-q", "-j", 3)):
+            _, err = self.cleave(*command, status=4)
+            run = self.folder / "run"
+            self.assert_whole(run)
+            log = (run / "messag").read_text()
+            found = re.findall(r"at node (\d+), time (\S+) \(it should rise by at least (\S+)\): no tent is low enough", log)
+            node, time_, bound = found[-1]
+            self.assertLessEqual(int(node), COUNT + 1)   # of the lower edge
+            self.assertTrue(0.2 < float(time_) < 0.32 and 0 < float(bound) < 0.2, found)
+            self.assertTrue((run / "restart.h5").is_file())
+            self.assertEqual(self.summary(run)["ending"], "physics")
+            self.assertLess(self.summary(run)["final_time"], 0.32)
+            self.assertEqual(len(set(found)), 1)   # a restarted run ends at the same place
+
+    def test_energies_beyond_numbers_end_the_run(self):
+        deck = plate(end=0.6).replace("         1         1       -1.\n", "         1         1    1.e160\n")
+        deck = deck.replace("         0         1\n", "         0         0\n", 1)   # or verification stops it
+        self.cleave("run", self.write("plate.k", deck), "-o", "run", "-q", status=4)
+        self.assertIn("the energy of the body is not a finite number", (self.folder / "run" / "messag").read_text())
 
 
 if __name__ == "__main__":

@@ -134,6 +134,18 @@ void Supports<D>::add_motion(const model::Model& model, const model::PrescribedM
           "the displacement of curve " + std::to_string(curve.id) + " jumps: its velocity would be infinite",
           "let the curve begin at 0 and be continuous");
   }
+  if (motion.kind == Kind::acceleration)
+    for (const model::Index node : motion.nodes) {
+      const auto at = 3 * static_cast<std::size_t>(node);
+      if (at + 2 >= model.initial_velocity.size()) break;
+      const double* v = &model.initial_velocity[at];
+      if (motion.direction.x * v[0] + motion.direction.y * v[1] + motion.direction.z * v[2] == 0.0) continue;
+      return diagnostics_.error(
+          motion.place, keyword, "VAD",
+          "a prescribed acceleration of nodes that have an initial velocity is not computed "
+          "for spacetime parts",
+          "prescribe the velocity");
+    }
   conditions_.push_back({keyword, motion.place});
   const int condition = static_cast<int>(conditions_.size()) - 1;
   histories_.emplace_back(curve, motion.scale, 0.0,

@@ -91,6 +91,8 @@ TEST(SpacetimeBodyMesh, BodyForceAndInitialVelocity) {
   const Vector<2> f = b.body->problem.body_force({0.75, 0.5, 0.5});
   EXPECT_NEAR(f[0], 0.25 * 1.0, 1e-14);
   EXPECT_NEAR(f[1], -1.5, 1e-14);
+  // A spin of 3 at t = 1.5: r times its square.
+  EXPECT_NEAR(b.body->problem.body_force({0.75, 0.5, 1.5})[0], 0.25 * 9.0, 1e-14);
   const Vector<2> v = b.body->problem.initial(0, {0.5, 0.25, 0.0}).v;  // half-way from the edge to node 5
   EXPECT_NEAR(v[0], 1.5, 1e-14);
   EXPECT_NEAR(v[1], 0.5, 1e-14);

@@ -52,6 +52,12 @@ TEST(SpacetimeBody, PlaneStressSectionAndControl) {
   EXPECT_TRUE(b.body->verify);
   EXPECT_EQ(b.model.control.spacetime.threads, 2);
   EXPECT_EQ(b.model.control.spacetime.subdivision, 3);
+  EXPECT_FALSE(b.body->pitch.repeat);
+  const FromDeck<2> again(square_with("*SECTION_SHELL_SDG\n1\n", "*SECTION_SHELL_SDG\n1,12,2,4,0.5\n") +
+                          "*CONTROL_SPACETIME\n3,2\n0,0,0,1\n");
+  ASSERT_TRUE(again.body) << again.text();
+  EXPECT_TRUE(again.body->pitch.repeat);
+  EXPECT_FALSE(again.body->verify);
 }
 
 TEST(SpacetimeBody, SupportsMotionsAndPressures) {
@@ -78,6 +84,32 @@ TEST(SpacetimeBody, SupportsMotionsAndPressures) {
   EXPECT_NEAR(star.s[1], 4.0 * 0.5, 1e-14);
   EXPECT_NEAR(b.star(b.face({8, 9}), 0.2).s[1], 0.0, 1e-15);
   EXPECT_NEAR(b.star(b.face({7, 8}), 0.75).s[1], 0.0, 1e-15);
+}
+
+TEST(SpacetimeBody, PressuresOfOneFaceAddUp) {
+  const FromDeck<2> b(plate(2) + "*LOAD_SEGMENT\n9,-4,0.25,9,8\n9,-1,0,9,8\n");
+  ASSERT_TRUE(b.body) << b.text();
+  EXPECT_NEAR(b.star(b.face({8, 9}), 0.75).s[1], 4.0 * 0.5 + 0.75, 1e-14);
+}
+
+/// The curve of `square` is the time itself; 8 rises to 1 at t = 1/2 and stays.
+TEST(SpacetimeBody, DisplacementsAndAccelerationsAreVelocities) {
+  const std::string right = plate(2) + "*DEFINE_CURVE\n8\n0,0\n0.5,1\n2,1\n*SET_NODE\n3\n3,6,9\n";
+  const auto moved = [&](const std::string& card, double time) {
+    const FromDeck<2> b(right + "*BOUNDARY_PRESCRIBED_MOTION_SET\n" + card);
+    EXPECT_TRUE(b.body) << b.text();
+    return b.body ? b.star(b.face({3, 6}), time).v_minus[0] : -1.0;
+  };
+  EXPECT_NEAR(moved("3,1,2,8,3.0\n", 0.25), 6.0, 1e-14);  // displacement 3 * 2 t
+  EXPECT_NEAR(moved("3,1,2,8,3.0\n", 0.75), 0.0, 1e-14);
+  EXPECT_NEAR(moved("3,1,1,9,3.0\n", 0.5), 3.0 * 0.125, 1e-14);  // acceleration 3 t
+  EXPECT_NEAR(moved("3,1,0,8,3.0\n", 0.25), 1.5, 1e-14);
+  const int line = after_plate(2) + 7;
+  EXPECT_TRUE(FromDeck<2>(right + "*DEFINE_CURVE\n7\n0,1\n2,2\n*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,2,7\n")
+                  .refuses(line + 6, "jumps"));
+  EXPECT_TRUE(
+      FromDeck<2>(right + "*INITIAL_VELOCITY_NODE\n6,2.0\n*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,1,9,3.0\n")
+          .refuses(line + 4, "an initial velocity"));
 }
 
 TEST(SpacetimeBody, RefusesPointSupportsAndInteriorNodes) {

@@ -205,10 +205,25 @@ TEST(SpacetimeBodyStress, JumpsBetweenElements) {
   EXPECT_NEAR(below.strain[1], 0.0, 1e-14);
   EXPECT_NEAR(below.strain[2], 0.25, 1e-14);
   EXPECT_EQ(above.strain, (Voigt<2>{}));
+  // About the middle of the element, (1/2, 1/6); in those without stress nothing.
+  EXPECT_NEAR(below.u[0], 0.25 * (0.1 - 1.0 / 6.0), 1e-14);
+  EXPECT_NEAR(below.u[1], 0.0, 1e-14);
+  EXPECT_EQ(above.u, (Vector<2>{}));
   EXPECT_TRUE(
       FromDeck<2>(text + "*CONTROL_SPACETIME\n1,2\n").refuses(after_square + 1, "displacements alone"));
   EXPECT_TRUE(FromDeck<2>(square + "*INITIAL_STRESS_SHELL\n11,1,1\n0,3.0,1.0,0,0.5,0.1\n")
                   .refuses(after_square + 1, "across the plane"));
+  // One strain everywhere: one linear field, zero at the first node.
+  const FromDeck<2> uniform(square +
+                            "*INITIAL_STRESS_SHELL\n11,1,1\n0,3.0,1.0,0,0.5\n12,1,1\n0,3.0,1.0,0,0.5\n"
+                            "13,1,1\n0,3.0,1.0,0,0.5\n14,1,1\n0,3.0,1.0,0,0.5\n");
+  ASSERT_TRUE(uniform.body) << uniform.text();
+  for (Simplex s = 0; s < 4; ++s) {
+    const PointState<2> at = uniform.body->problem.initial(s, {0.5, 0.5, 0.0});
+    EXPECT_NEAR(at.strain[0], 1.0, 1e-14);
+    EXPECT_NEAR(at.u[0], 0.5 + 0.25 * 0.5, 1e-14);
+    EXPECT_NEAR(at.u[1], 0.25 * 0.5, 1e-14);
+  }
   const FromDeck<3> block(tetrahedron + "*INITIAL_STRESS_SOLID\n1,1\n3,1,1,0.5,0,1\n");
   ASSERT_TRUE(block.body) << block.text();
   const Voigt<3> strain = block.body->problem.initial(0, {0.1, 0.1, 0.1, 0.0}).strain;

@@ -6,25 +6,30 @@
 namespace cleave::solver::test {
 namespace {
 
-/// Does not ask for anything; keeps what it sees.
+/// Asks for nothing, or for some things only; keeps what it sees.
 struct Bystander final : Observer {
   struct At {
-    double time, kinetic, x;
+    double time, kinetic, x, v;
+    double unwatched;  ///< x of the node after it
     bool due;
     std::vector<CrackOpening> cracks;
   };
   std::vector<At> seen;
   CellFields first_cells;
   discretisation::Id node = 0;
+  unsigned asks = 0;  ///< bits of Wanted
 
   void begin(const Frame& frame) override {
     first_cells = frame.cells->cells();
     after_step(frame);
   }
   void after_step(const Frame& f) override {
+    f.evaluate(asks);
     seen.push_back({f.state.time,
                     f.state.energy.kinetic,
                     f.state.position[3 * static_cast<std::size_t>(node)],
+                    f.state.velocity[3 * static_cast<std::size_t>(node)],
+                    f.state.position[3 * static_cast<std::size_t>(node + 1)],
                     f.energies_due,
                     {f.cracks.begin(), f.cracks.end()}});
   }
@@ -125,6 +130,33 @@ TEST(TentsCells, StressAcrossThePlane) {
   EXPECT_EQ(plate.stress_across({0.01, 0.02, 0.005}), 0.0);
 }
 
+/// What a node shows is the mean over the simplices around it by their size: with a velocity of its own in
+/// each simplex at the start.
+TEST(TentsNodes, AreMeansBySize) {
+  Rig<2> rig(sample::grid(3, 0.25), 0.01, 0.01);
+  rig.initial = [](Simplex s, const Event<2>&) {
+    PointState<2> state;
+    state.v[0] = 1.0 + s * s;
+    return state;
+  };
+  Watcher watcher;
+  auto state = rig.fresh();
+  ASSERT_TRUE(rig.run(state, watcher).status.ok);
+  std::vector<double> sum(rig.input.vertex.size(), 0.0), size(sum);
+  for (std::size_t s = 0; s < rig.input.simplex.size(); ++s) {
+    std::array<Point<2>, 3> corner;
+    for (std::size_t c = 0; c < 3; ++c)
+      corner[c] = rig.input.vertex[static_cast<std::size_t>(rig.input.simplex[s][c])];
+    const double area = std::fabs(signed_volume<2>(corner));
+    for (const Vertex v : rig.input.simplex[s]) {
+      sum[static_cast<std::size_t>(v)] += area * (1.0 + static_cast<double>(s * s));
+      size[static_cast<std::size_t>(v)] += area;
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    EXPECT_NEAR(watcher.seen[0].velocity[3 * v], sum[v] / size[v], 1e-10) << v;
+}
+
 /// Between instants of energies a run that is only asked for nodes evaluates those alone, and comes to the
 /// same bits.
 TEST(TentsInstants, OnlyWhatIsAskedForIsEvaluated) {
@@ -148,6 +180,7 @@ TEST(TentsInstants, OnlyWhatIsAskedForIsEvaluated) {
   std::size_t due = 0, current = 0;
   for (std::size_t k = 0; k < who.seen.size(); ++k) {
     EXPECT_EQ(who.seen[k].x, watcher.seen[k].position[15]);
+    EXPECT_EQ(who.seen[k].v, watcher.seen[k].velocity[15]);
     const bool same = who.seen[k].kinetic == watcher.seen[k].energy.kinetic;
     EXPECT_TRUE(same || !who.seen[k].due) << who.seen[k].time;
     due += who.seen[k].due;
@@ -160,6 +193,22 @@ TEST(TentsInstants, OnlyWhatIsAskedForIsEvaluated) {
   EXPECT_EQ(other.energy.internal, state.energy.internal);
   ASSERT_EQ(other.memory.size(), state.memory.size());
   EXPECT_TRUE(other.memory[0].values == state.memory[0].values);
+
+  // Who asks for one thing gets it at every instant, and the other one no more often than before.
+  for (const unsigned asks : {every_node, energies}) {
+    Bystander asking;
+    asking.node = 5, asking.asks = asks;
+    auto third = few->fresh();
+    ASSERT_TRUE(observe(*few, asking, third).status.ok);
+    std::size_t nodes = 0, sums = 0;
+    for (std::size_t k = 0; k < asking.seen.size(); ++k) {
+      const Seen& exact = watcher.seen[k];
+      nodes += asking.seen[k].unwatched == exact.position[18];
+      sums += asking.seen[k].kinetic == exact.energy.kinetic;
+    }
+    EXPECT_EQ(asks == every_node ? nodes : sums, asking.seen.size());
+    EXPECT_LT(asks == every_node ? sums : nodes, asking.seen.size() / 2);
+  }
 }
 
 }  // namespace

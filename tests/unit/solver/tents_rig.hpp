@@ -74,6 +74,8 @@ struct Rig {
   std::function<TargetPtr<D>(const BoundaryFace<D>&)> target;
   bool verify = true;
   double thickness = 1.0;
+  int simplices_per_element = 1;
+  bool repeat = false;  ///< equal tents where the mesh has few shapes
 
   explicit Rig(SpaceMeshInput<D> mesh, double end, double every) : input(std::move(mesh)) {
     for (std::size_t v = 0; v < input.vertex.size(); ++v) {
@@ -109,10 +111,12 @@ struct Rig {
     }
     body->end_time = model.control.end.time;
     body->verify = verify;
+    body->pitch.repeat = repeat;
     body->thickness = thickness;
     for (Vertex v = 0; v < body->mesh.vertex_count(); ++v)
       body->node_of_vertex.push_back(body->mesh.origin(v));
-    for (Simplex s = 0; s < body->mesh.simplex_count(); ++s) body->element_of_simplex.push_back(s + 1);
+    for (Simplex s = 0; s < body->mesh.simplex_count(); ++s)
+      body->element_of_simplex.push_back(s / simplices_per_element + 1);
     return body;
   }
 
