@@ -110,8 +110,9 @@ struct Scheduler<D>::Run {
       CLEAVE_ASSERT(verdict.factor > 0.0 && verdict.factor < 1.0, "a lower tent must be lower, and a tent");
       tent.share *= verdict.factor;
       if (tent.share < 1e-6)
-        return fail(v, tent.key,
-                    "no tent is low enough for the solver" + (verdict.what.empty() ? "" : ": " + verdict.what));
+        return fail(
+            v, tent.key,
+            "no tent is low enough for the solver" + (verdict.what.empty() ? "" : ": " + verdict.what));
       // Every point below an admissible top of a vertical pole is admissible; of an inclined pole it need not
       // be. So a tent that was refused stands upright.
       tent.pole = scheduler.pitcher_.pitch_towards(front, v, end_time, {});

@@ -84,8 +84,7 @@ void join_ties(model::Model& model, deck::Diagnostics& diagnostics) {
       insert(model.rigid_bodies[b].extra, fresh[b]);
       const std::set<Index> given(fresh[b].begin(), fresh[b].end());
       for (model::RigidWall& wall : model.walls)
-        if (wall.penalty == 0.0)
-          std::erase_if(wall.nodes, [&](Index node) { return given.count(node) > 0; });
+        if (wall.penalty == 0.0) std::erase_if(wall.nodes, [&](Index node) { return given.count(node) > 0; });
       diagnostics.note(contact.place, contact.keyword, "",
                        std::to_string(fresh[b].size()) + " nodes of tied contact " +
                            std::to_string(contact.id) + " lie on faces of rigid body " +
