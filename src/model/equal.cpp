@@ -264,6 +264,8 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE_LIST(node_sets)
   CLEAVE_COMPARE_LIST(part_sets)
   CLEAVE_COMPARE_LIST(solid_sets)
+  CLEAVE_COMPARE_LIST(shell_sets)
+  CLEAVE_COMPARE_LIST(beam_sets)
   CLEAVE_COMPARE_LIST(segment_sets)
   CLEAVE_COMPARE_LIST(fixed)
   CLEAVE_COMPARE_LIST(motions)
@@ -308,6 +310,8 @@ std::string first_difference(const Model& a, const Model& b) {
   CLEAVE_COMPARE_LIST(requests.history_nodes)
   CLEAVE_COMPARE_LIST(requests.history_node_titles)
   CLEAVE_COMPARE_LIST(requests.history_solids)
+  CLEAVE_COMPARE_LIST(requests.history_shells)
+  CLEAVE_COMPARE_LIST(requests.history_beams)
 #undef CLEAVE_COMPARE_LIST
 #undef CLEAVE_COMPARE
   return {};

@@ -58,9 +58,19 @@ struct Elements {
   std::size_t count() const { return id.size(); }
 };
 
+/// Kinds of elements; each has numbers of its own.
+enum class ElementKind : std::uint8_t { solid, shell, beam };
+constexpr std::string_view name_of(ElementKind kind) {
+  return kind == ElementKind::solid ? "solid" : kind == ElementKind::shell ? "shell" : "beam";
+}
+
 struct Mesh {
   Nodes nodes;
   std::vector<Elements> solids, shells, beams;  ///< at most one entry per shape
+
+  const std::vector<Elements>& elements(ElementKind kind) const {
+    return kind == ElementKind::solid ? solids : kind == ElementKind::shell ? shells : beams;
+  }
 };
 
 /// Four nodes of a face, counter-clockwise seen from outside; triangles repeat the third. In the plane an

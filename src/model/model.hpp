@@ -32,7 +32,7 @@ struct Model {
   std::vector<Curve> curves;
   std::vector<Table> tables;
   std::vector<Set<Index>> node_sets, part_sets;
-  std::vector<Set<Id>> solid_sets;  ///< element ids
+  std::vector<Set<Id>> solid_sets, shell_sets, beam_sets;  ///< element ids
   std::vector<Set<Segment>> segment_sets;
 
   std::vector<FixedNodes> fixed;

@@ -23,7 +23,8 @@ struct Requests {
   std::int64_t running_restart_cycles = 0;  ///< RUNRSF: the same file overwritten
   std::vector<Index> history_nodes;         ///< *DATABASE_HISTORY_NODE(_SET)
   std::vector<std::pair<Id, std::string>> history_node_titles;
-  std::vector<Id> history_solids;  ///< element ids, *DATABASE_HISTORY_SOLID(_SET)
+  std::vector<Id> history_solids, history_shells,
+      history_beams;  ///< element ids, *DATABASE_HISTORY_SOLID(_SET), _SHELL, _BEAM
 };
 
 }  // namespace cleave::model

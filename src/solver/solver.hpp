@@ -73,6 +73,13 @@ struct CellFields {
   std::vector<Field> fields;
 };
 
+/// Stress of an element of *DATABASE_HISTORY_SOLID, _SHELL or _BEAM, global axes.
+struct ElementStress {
+  discretisation::Id element = 0;
+  model::Index part = -1;
+  double stress[6] = {0, 0, 0, 0, 0, 0};  ///< xx yy zz xy yz zx [stress]
+};
+
 class CellSource {
  public:
   virtual ~CellSource() = default;
@@ -81,6 +88,8 @@ class CellSource {
   /// The first tents of the run as cells of spacetime, as many as Options::tents says; time is the last axis,
   /// in lengths that the fastest wave runs. Empty in three dimensions.
   virtual CellFields tents() const = 0;
+  /// At the time of the frame, in the middle of each element, in the order of the requests.
+  virtual std::vector<ElementStress> stresses() const = 0;
 };
 
 /// Displacement of one more side of a crack against the first, at a node of *DATABASE_HISTORY_NODE:

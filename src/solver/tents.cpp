@@ -16,6 +16,7 @@
 #include "solver/tents_album.hpp"
 #include "solver/tents_cells.hpp"
 #include "solver/tents_crack.hpp"
+#include "solver/tents_elements.hpp"
 #include "solver/tents_instants.hpp"
 #include "solver/tents_patches.hpp"
 #include "solver/tents_state.hpp"
@@ -54,6 +55,7 @@ class Tents final : public Solver, private CellSource {
         patches_(*body_, outside_, columns_),
         filler_(model_, *body_, outside_),
         cracks_(model_, *body_),
+        probes_(model_, *body_),
         album_(options.tents),
         verify_(body_->verify) {}
 
@@ -93,6 +95,10 @@ class Tents final : public Solver, private CellSource {
     CellFields cells = album_.cells(fastest, body_->element_of_simplex);
     for (discretisation::Id& part : cells.part) part = model_.parts[static_cast<std::size_t>(part)].id;
     return cells;
+  }
+
+  std::vector<ElementStress> stresses() const override {
+    return probes_.at(Instant<D>(*body_, columns_, time_));
   }
 
  private:
@@ -373,6 +379,7 @@ class Tents final : public Solver, private CellSource {
   PatchRunner<D> patches_;
   StateFiller<D> filler_;
   CrackSides<D> cracks_;
+  ElementProbes<D> probes_;
   std::size_t written_ = 0;    ///< instants
   double time_ = 0.0;          ///< of the instant written last
   unsigned have_ = 0;          ///< what of it is in the state, bits of Wanted

@@ -11,8 +11,8 @@ namespace cleave::solver {
 /// by rounding only once. Energies are wanted a hundred times where the deck does not say. [time]
 std::vector<double> output_instants(const model::Model& model, double end_time);
 
-/// At which of them more is wanted than nodout: energies are worked out there without being asked for
-/// [instant].
+/// At which of them more is wanted than nodout and elout: energies are worked out there without being asked
+/// for [instant].
 std::vector<char> energy_instants(const model::Model& model, const std::vector<double>& instants);
 
 /// Instants so close together that the front passes them in one go: the last of each such group [index].

@@ -85,24 +85,53 @@ void take_history_node_set(Draft& draft, const Entry& entry) {
   });
 }
 
-void add_solid(Draft& draft, Id id) {
-  auto& solids = draft.model.requests.history_solids;
-  if (std::find(solids.begin(), solids.end(), id) == solids.end()) solids.push_back(id);
+std::vector<Id>& history_elements(Draft& draft, ElementKind kind) {
+  Requests& r = draft.model.requests;
+  return kind == ElementKind::solid   ? r.history_solids
+         : kind == ElementKind::shell ? r.history_shells
+                                      : r.history_beams;
 }
 
-void take_history_solid(Draft& draft, const Entry& entry) {
+/// Stresses of an element are wanted. Shells that are read but not solved in spacetime are rigid.
+void add_element(Draft& draft, const Entry& entry, std::string_view field, ElementKind kind, Id id) {
+  if (kind != ElementKind::solid) {
+    const Draft::ElementPlace at = *draft.element(id, kind);
+    const Index part = draft.model.mesh.elements(kind)[at.group].part[at.index];
+    if (spacetime_dimension(draft.model.parts[static_cast<std::size_t>(part)].section) == 0)
+      return draft.warning(
+          entry, field,
+          std::string(name_of(kind)) + " " + std::to_string(id) + " is rigid: no stresses are written");
+  }
+  auto& elements = history_elements(draft, kind);
+  if (std::find(elements.begin(), elements.end(), id) == elements.end()) elements.push_back(id);
+}
+
+/// Elements of a kind of which nothing is computed are not read: their histories are left out.
+bool none_computed(Draft& draft, const Entry& entry, ElementKind kind) {
+  if (kind == ElementKind::solid || !draft.model.mesh.elements(kind).empty()) return false;
+  draft.warning(entry, "ID1",
+                "there are no " + std::string(name_of(kind)) + "s that are computed: nothing is written");
+  return true;
+}
+
+template <ElementKind kind>
+void take_history_elements(Draft& draft, const Entry& entry) {
+  if (none_computed(draft, entry, kind)) return;
   each_id(entry, [&](const std::string& field, std::size_t row) {
     const Id id = entry.id(IdKind::element, field, row);
-    if (!draft.element(id))
+    if (!draft.element(id, kind))
       return draft.error(entry, field, "element " + std::to_string(id) + " is not defined");
-    add_solid(draft, id);
+    add_element(draft, entry, field, kind, id);
   });
 }
 
-void take_history_solid_set(Draft& draft, const Entry& entry) {
-  each_id(entry, [&](const std::string& field, std::size_t) {
-    if (const auto* set = draft.solid_set(entry, field))
-      for (const Id id : *set) add_solid(draft, id);
+template <ElementKind kind>
+void take_history_sets(Draft& draft, const Entry& entry) {
+  if (none_computed(draft, entry, kind)) return;
+  each_id(entry, [&](const std::string& field, std::size_t row) {
+    if (row > 0) return draft.error(entry, field, "one row of set numbers a card");
+    if (const auto* set = draft.element_set(entry, field, kind))
+      for (const Id id : *set) add_element(draft, entry, field, kind, id);
   });
 }
 
@@ -124,6 +153,7 @@ void take_termination_node(Draft& draft, const Entry& entry) {
 
 constexpr std::string_view interval = "DT LCUR";
 constexpr std::string_view form = "BINARY IOOPT OPTION1 OPTION2 OPTION3 OPTION4";
+constexpr std::string_view planar = "of spacetime parts";
 constexpr std::string_view eight = "ID1 ID2 ID3 ID4 ID5 ID6 ID7 ID8";
 
 constexpr Handler handlers[] = {
@@ -144,8 +174,36 @@ constexpr Handler handlers[] = {
     {"DATABASE_HISTORY_NODE", Phase::action, eight, {}, take_history_node},
     {"DATABASE_HISTORY_NODE_ID", Phase::action, "ID1 HEADING", {}, take_history_node_id},
     {"DATABASE_HISTORY_NODE_SET", Phase::action, eight, {}, take_history_node_set},
-    {"DATABASE_HISTORY_SOLID", Phase::action, eight, {}, take_history_solid},
-    {"DATABASE_HISTORY_SOLID_SET", Phase::action, eight, {}, take_history_solid_set},
+    {"DATABASE_HISTORY_SOLID", Phase::action, eight, {}, take_history_elements<ElementKind::solid>},
+    {"DATABASE_HISTORY_SOLID_SET", Phase::action, eight, {}, take_history_sets<ElementKind::solid>},
+    {"DATABASE_HISTORY_SHELL",
+     Phase::action,
+     eight,
+     {},
+     take_history_elements<ElementKind::shell>,
+     nullptr,
+     planar},
+    {"DATABASE_HISTORY_SHELL_SET",
+     Phase::action,
+     eight,
+     {},
+     take_history_sets<ElementKind::shell>,
+     nullptr,
+     planar},
+    {"DATABASE_HISTORY_BEAM",
+     Phase::action,
+     eight,
+     {},
+     take_history_elements<ElementKind::beam>,
+     nullptr,
+     planar},
+    {"DATABASE_HISTORY_BEAM_SET",
+     Phase::action,
+     eight,
+     {},
+     take_history_sets<ElementKind::beam>,
+     nullptr,
+     planar},
     {"TERMINATION_NODE", Phase::action, "NID STOP MAXC MINC", {}, take_termination_node},
 };
 

@@ -116,10 +116,11 @@ const std::vector<Member>* find_set(Draft& draft, SetBook<Member>& book, const E
   bool circular = false;
   const auto* members = book.find(draft, id, &circular);
   if (!members)
-    draft.error(entry, field,
-                std::string(kind) + " set " + std::to_string(id) +
-                    (circular ? " contains itself" : " is not defined"),
-                circular ? "" : "sets of nodes, parts, solids and segments are numbered separately");
+    draft.error(
+        entry, field,
+        std::string(kind) + " set " + std::to_string(id) +
+            (circular ? " contains itself" : " is not defined"),
+        circular ? "" : "sets of nodes, parts, segments and each kind of element are numbered separately");
   return members;
 }
 
@@ -131,8 +132,8 @@ const std::vector<Index>* Draft::node_set(const Entry& entry, std::string_view f
 const std::vector<Index>* Draft::part_set(const Entry& entry, std::string_view field) {
   return find_set(*this, part_sets, entry, field, "part");
 }
-const std::vector<Id>* Draft::solid_set(const Entry& entry, std::string_view field) {
-  return find_set(*this, solid_sets, entry, field, "solid");
+const std::vector<Id>* Draft::element_set(const Entry& entry, std::string_view field, ElementKind kind) {
+  return find_set(*this, element_sets(kind), entry, field, name_of(kind));
 }
 const std::vector<Segment>* Draft::segment_set(const Entry& entry, std::string_view field) {
   return find_set(*this, segment_sets, entry, field, "segment");
@@ -222,18 +223,22 @@ double Draft::plane_tolerance() const {
   return 1e-3 * width / std::cbrt(static_cast<double>(count));
 }
 
-std::optional<Draft::ElementPlace> Draft::element(Id id) {
-  if (element_index_.empty()) {
-    for (std::size_t g = 0; g < model.mesh.solids.size(); ++g)
-      for (std::size_t e = 0; e < model.mesh.solids[g].count(); ++e)
-        element_index_.push_back(
-            {model.mesh.solids[g].id[e], {static_cast<std::uint32_t>(g), static_cast<std::uint32_t>(e)}});
-    std::sort(element_index_.begin(), element_index_.end(),
-              [](auto& a, auto& b) { return a.first < b.first; });
+SetBook<Id>& Draft::element_sets(ElementKind kind) {
+  return kind == ElementKind::solid ? solid_sets : kind == ElementKind::shell ? shell_sets : beam_sets;
+}
+
+std::optional<Draft::ElementPlace> Draft::element(Id id, ElementKind kind) {
+  auto& index = element_index_[static_cast<std::size_t>(kind)];
+  if (index.empty()) {
+    const std::vector<Elements>& groups = model.mesh.elements(kind);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (std::size_t e = 0; e < groups[g].count(); ++e)
+        index.push_back({groups[g].id[e], {static_cast<std::uint32_t>(g), static_cast<std::uint32_t>(e)}});
+    std::sort(index.begin(), index.end(), [](auto& a, auto& b) { return a.first < b.first; });
   }
-  const auto at = std::lower_bound(element_index_.begin(), element_index_.end(), id,
+  const auto at = std::lower_bound(index.begin(), index.end(), id,
                                    [](const auto& item, Id wanted) { return item.first < wanted; });
-  if (at == element_index_.end() || at->first != id) return std::nullopt;
+  if (at == index.end() || at->first != id) return std::nullopt;
   return at->second;
 }
 

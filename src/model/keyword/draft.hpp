@@ -44,7 +44,8 @@ class Draft {
   std::vector<Entry> part_entries;  ///< the card of each part, in the order of Model::parts
 
   SetBook<Index> node_sets, part_sets;
-  SetBook<Id> solid_sets;
+  SetBook<Id> solid_sets, shell_sets, beam_sets;
+  SetBook<Id>& element_sets(ElementKind kind);
   SetBook<Segment> segment_sets;
 
   RigidDraft rigid;
@@ -56,9 +57,9 @@ class Draft {
   std::map<std::pair<int, int>, std::vector<Id>> node_codes;
   /// Position of each element id in the mesh; filled on first use.
   struct ElementPlace {
-    std::uint32_t group, index;  ///< of Mesh::solids, of the arrays in it
+    std::uint32_t group, index;  ///< of Mesh::elements(kind), of the arrays in it
   };
-  std::optional<ElementPlace> element(Id id);
+  std::optional<ElementPlace> element(Id id, ElementKind kind = ElementKind::solid);
   /// Node amid the edge between two corners of a ten-node tetrahedron; -1 where there is none.
   Index mid_node(Index a, Index b);
   /// Velocities are laid on in the order the format ranks them, after all cards are read.
@@ -79,7 +80,7 @@ class Draft {
   Index curve(const Entry& entry, std::string_view field, bool required = true);
   const std::vector<Index>* node_set(const Entry& entry, std::string_view field);
   const std::vector<Index>* part_set(const Entry& entry, std::string_view field);
-  const std::vector<Id>* solid_set(const Entry& entry, std::string_view field);
+  const std::vector<Id>* element_set(const Entry& entry, std::string_view field, ElementKind kind);
   const std::vector<Segment>* segment_set(const Entry& entry, std::string_view field);
   /// Frame of a field; the global axes where the field is 0.
   const Frame* frame(const Entry& entry, std::string_view field);
@@ -110,7 +111,7 @@ class Draft {
 
  private:
   std::map<std::pair<std::string, Id>, deck::Place> claimed_;
-  std::vector<std::pair<Id, ElementPlace>> element_index_;
+  std::vector<std::pair<Id, ElementPlace>> element_index_[3];  ///< [kind]
   std::optional<std::map<std::pair<Index, Index>, Index>> mid_nodes_;
   std::map<int, Affine> motions_;
 };

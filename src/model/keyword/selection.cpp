@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "model/outer_faces.hpp"
 
@@ -20,8 +21,8 @@ std::vector<Row> rows_of(const Entry& entry) {
   for (std::size_t i = 0; i < entry.card().row_count("OPTION"); ++i) {
     Row row;
     for (const char c : entry.card().text("OPTION", i)) row.word += static_cast<char>(std::toupper(c));
-    static constexpr std::string_view removing[] = {"DNODE", "DELEM",      "DPART",    "DBOX",
-                                                    "DSEG",  "DSET_SOLID", "DSET_NODE"};
+    static constexpr std::string_view removing[] = {
+        "DNODE", "DELEM", "DPART", "DBOX", "DSEG", "DSET_SOLID", "DSET_SHELL", "DSET_BEAM", "DSET_NODE"};
     row.removes = std::find(std::begin(removing), std::end(removing), row.word) != std::end(removing);
     if (row.removes) row.word.erase(0, 1);
     for (int k = 1; k <= 7; ++k) {
@@ -71,37 +72,49 @@ std::vector<Index> parts_of(Draft& draft, const Entry& entry, const Row& row) {
   return parts;
 }
 
-/// Element numbers of a row of ELEM or SET_SOLID.
-std::vector<Id> elements_of(Draft& draft, const Entry& entry, const Row& row) {
+/// Element numbers of a row of ELEM, or of SET_SOLID, SET_SHELL, SET_BEAM.
+std::vector<Id> elements_of(Draft& draft, const Entry& entry, const Row& row, ElementKind kind) {
   std::vector<Id> elements;
   for (const auto& [written, field] : row.arguments) {
     if (row.word == "ELEM") {
       const Id id = entry.offset(IdKind::element, written);
-      if (draft.element(id))
+      if (draft.element(id, kind))
         elements.push_back(id);
       else
         draft.error(entry, field, "element " + std::to_string(id) + " is not defined");
     } else {
       const Id id = entry.offset(IdKind::set, written);
-      if (const auto* set = draft.solid_sets.find(draft, id))
+      if (const auto* set = draft.element_sets(kind).find(draft, id))
         elements.insert(elements.end(), set->begin(), set->end());
       else
-        draft.error(entry, field, "solid set " + std::to_string(id) + " is not defined");
+        draft.error(entry, field,
+                    std::string(name_of(kind)) + " set " + std::to_string(id) + " is not defined");
     }
   }
   return elements;
 }
 
-std::span<const Index> nodes_of_element(const Draft& draft, Draft::ElementPlace at) {
-  const Elements& group = draft.model.mesh.solids[at.group];
+std::span<const Index> nodes_of_element(const Draft& draft, ElementKind kind, Draft::ElementPlace at) {
+  const Elements& group = draft.model.mesh.elements(kind)[at.group];
   const std::size_t n = static_cast<std::size_t>(nodes_of(group.shape));
   return {group.node.data() + at.index * n, n};
 }
 
 template <class Body>
-void for_each_element(const Draft& draft, const Body& body) {
-  for (std::uint32_t g = 0; g < draft.model.mesh.solids.size(); ++g)
-    for (std::uint32_t e = 0; e < draft.model.mesh.solids[g].count(); ++e) body(Draft::ElementPlace{g, e});
+void for_each_element(const Draft& draft, ElementKind kind, const Body& body) {
+  const std::vector<Elements>& groups = draft.model.mesh.elements(kind);
+  for (std::uint32_t g = 0; g < groups.size(); ++g)
+    for (std::uint32_t e = 0; e < groups[g].count(); ++e) body(Draft::ElementPlace{g, e});
+}
+
+/// SET_SOLID, SET_SHELL or SET_BEAM: the kind it is of.
+std::optional<ElementKind> set_kind(const Row& row) {
+  for (const ElementKind kind : {ElementKind::solid, ElementKind::shell, ElementKind::beam}) {
+    std::string word = "SET_";
+    for (const char c : name_of(kind)) word += static_cast<char>(std::toupper(c));
+    if (row.word == word) return kind;
+  }
+  return std::nullopt;
 }
 
 /// Segments are the same when they have the same corners.
@@ -137,9 +150,9 @@ std::vector<Index> select_nodes(Draft& draft, const Entry& entry) {
         if (const Box* box = box_of(draft, entry, written, field))
           for (const Index i : draft.all_nodes())
             if (box->contains(draft.position(i))) change.push_back(i);
-    } else if (row.word == "ELEM" || row.word == "SET_SOLID") {
-      for (const Id id : elements_of(draft, entry, row)) {
-        const auto nodes = nodes_of_element(draft, *draft.element(id));
+    } else if (const auto kind = row.word == "ELEM" ? ElementKind::solid : set_kind(row)) {
+      for (const Id id : elements_of(draft, entry, row, *kind)) {
+        const auto nodes = nodes_of_element(draft, *kind, *draft.element(id, *kind));
         change.insert(change.end(), nodes.begin(), nodes.end());
       }
     } else if (row.word == "SET_NODE") {
@@ -153,39 +166,42 @@ std::vector<Index> select_nodes(Draft& draft, const Entry& entry) {
       }
     } else {
       unknown(draft, entry, row,
-              "ALL, NODE, PART, BOX, ELEM, SET_SOLID, SET_NODE, or one of them with D to take away");
+              "ALL, NODE, PART, BOX, ELEM, SET_SOLID, SET_SHELL, SET_BEAM, SET_NODE, or one of them with D "
+              "to take away");
     }
     apply(members, std::move(change), row.removes);
   }
   return members;
 }
 
-std::vector<Id> select_solids(Draft& draft, const Entry& entry) {
+std::vector<Id> select_elements(Draft& draft, const Entry& entry, ElementKind kind) {
+  const std::vector<Elements>& groups = draft.model.mesh.elements(kind);
   std::vector<Id> members;
-  const auto id_at = [&](Draft::ElementPlace at) { return draft.model.mesh.solids[at.group].id[at.index]; };
+  const auto id_at = [&](Draft::ElementPlace at) { return groups[at.group].id[at.index]; };
   for (const Row& row : rows_of(entry)) {
     std::vector<Id> change;
     if (row.word == "ALL") {
-      for_each_element(draft, [&](auto at) { change.push_back(id_at(at)); });
-    } else if (row.word == "ELEM" || row.word == "SET_SOLID") {
-      change = elements_of(draft, entry, row);
+      for_each_element(draft, kind, [&](auto at) { change.push_back(id_at(at)); });
+    } else if (row.word == "ELEM" || set_kind(row) == kind) {
+      change = elements_of(draft, entry, row, kind);
     } else if (row.word == "PART") {
       const auto parts = parts_of(draft, entry, row);
-      for_each_element(draft, [&](auto at) {
-        const Index part = draft.model.mesh.solids[at.group].part[at.index];
+      for_each_element(draft, kind, [&](auto at) {
+        const Index part = groups[at.group].part[at.index];
         if (std::find(parts.begin(), parts.end(), part) != parts.end()) change.push_back(id_at(at));
       });
     } else if (row.word == "BOX") {
       for (const auto& [written, field] : row.arguments)
         if (const Box* box = box_of(draft, entry, written, field))
-          for_each_element(draft, [&](auto at) {
-            const auto nodes = nodes_of_element(draft, at);
+          for_each_element(draft, kind, [&](auto at) {
+            const auto nodes = nodes_of_element(draft, kind, at);
             if (std::all_of(nodes.begin(), nodes.end(),
                             [&](Index i) { return box->contains(draft.position(i)); }))
               change.push_back(id_at(at));
           });
     } else {
-      unknown(draft, entry, row, "ALL, ELEM, PART, BOX, SET_SOLID, or one of them with D to take away");
+      unknown(draft, entry, row,
+              "ALL, ELEM, PART, BOX, sets of the same kind, or one of them with D to take away");
     }
     apply(members, std::move(change), row.removes);
   }

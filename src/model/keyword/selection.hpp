@@ -7,7 +7,7 @@ namespace cleave::model {
 
 /// ALL, NODE, PART, PART_SET?, BOX, SET_...; a leading D takes away again. Rows act in reading order.
 std::vector<Index> select_nodes(Draft& draft, const Entry& entry);
-std::vector<Id> select_solids(Draft& draft, const Entry& entry);
+std::vector<Id> select_elements(Draft& draft, const Entry& entry, ElementKind kind);
 /// ALL, BOX, PART (outer faces; in the plane outer edges, of bars ends), SEG; with D to take away.
 std::vector<Segment> select_segments(Draft& draft, const Entry& entry);
 

@@ -1,5 +1,5 @@
-/// *SET_NODE, *SET_PART, *SET_SOLID: lists, ranges, columns, sums and intersections of sets, general
-/// selections.
+/// *SET_NODE, *SET_PART, *SET_SOLID, *SET_SHELL, *SET_BEAM: lists, ranges, columns, sums and intersections of
+/// sets, general selections.
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ std::vector<std::pair<Id, std::size_t>> written_ids(const Entry& entry, std::str
   return ids;
 }
 
-// --- what the three kinds of set have in common, told apart by a description -------------------------------
+// --- what the kinds of set have in common, told apart by a description -------------------------------------
 
 struct NodeKind {
   using Member = Index;
@@ -54,22 +54,49 @@ struct PartKind {
   }
 };
 
-struct SolidKind {
+template <ElementKind which>
+struct ElementsOf {
   using Member = Id;
+  static constexpr ElementKind kind = which;
   static constexpr IdKind ids = IdKind::element;
-  static constexpr std::string_view name = "element", series = "SOLIDS";
-  static SetBook<Id>& book(Draft& d) { return d.solid_sets; }
-  static bool find(Draft& d, Id id, Member& out) { return out = id, d.element(id).has_value(); }
+  static constexpr std::string_view name = kind == ElementKind::solid ? "element" : name_of(kind);
+  static constexpr std::string_view series = kind == ElementKind::solid   ? "SOLIDS"
+                                             : kind == ElementKind::shell ? "SHELLS"
+                                                                          : "BEAMS";
+  static SetBook<Id>& book(Draft& d) { return d.element_sets(kind); }
+  static bool find(Draft& d, Id id, Member& out) { return out = id, d.element(id, kind).has_value(); }
   static void range(Draft& d, Id from, Id to, std::vector<Member>& out) {
-    for (const auto& group : d.model.mesh.solids)
+    for (const auto& group : d.model.mesh.elements(kind))
       for (const Id id : group.id)
         if (id >= from && id <= to) out.push_back(id);
   }
 };
+using SolidKind = ElementsOf<ElementKind::solid>;
+using ShellKind = ElementsOf<ElementKind::shell>;
+using BeamKind = ElementsOf<ElementKind::beam>;
+
+template <ElementKind kind>
+std::vector<Id> select(Draft& draft, const Entry& entry) {
+  return select_elements(draft, entry, kind);
+}
+
+/// Elements of a kind of which nothing is computed are not read: sets of them are named once, not each of
+/// their members.
+template <class Kind>
+bool refused_as_a_whole(Draft& draft, const Entry& entry) {
+  if constexpr (requires { Kind::kind; }) {
+    if (!draft.model.mesh.elements(Kind::kind).empty()) return false;
+    draft.refuse(entry, "SID", "there are no " + std::string(name_of(Kind::kind)) + "s that are computed",
+                 "leave the set out");
+    return true;
+  }
+  return false;
+}
 
 template <class Kind>
 std::vector<typename Kind::Member> list(Draft& draft, const Entry& entry) {
   std::vector<typename Kind::Member> members;
+  if (refused_as_a_whole<Kind>(draft, entry)) return members;
   Capped missing;
   for (const auto& [written, row] : written_ids(entry, Kind::series)) {
     const Id id = entry.offset(Kind::ids, written);
@@ -134,7 +161,8 @@ std::vector<typename Kind::Member> generate(Draft& draft, const Entry& entry) {
 template <class Kind>
 std::vector<std::vector<typename Kind::Member>> named_sets(Draft& draft, const Entry& entry) {
   std::vector<std::vector<typename Kind::Member>> sets;
-  for (const auto& [written, row] : written_ids(entry, Kind::series)) {
+  const std::string_view series = entry.has("SETS") ? "SETS" : Kind::series;
+  for (const auto& [written, row] : written_ids(entry, series)) {
     const Id id = entry.offset(IdKind::set, written);
     bool circular = false;
     if (const auto* members = Kind::book(draft).find(draft, id, &circular))
@@ -181,7 +209,7 @@ struct SegmentKind {
   static SetBook<Segment>& book(Draft& d) { return d.segment_sets; }
 };
 
-constexpr std::string_view ids = "TITLE SID NSID SOLVER ITS NODES PARTS SOLIDS SETS";
+constexpr std::string_view ids = "TITLE SID NSID SOLVER ITS NODES PARTS SOLIDS SHELLS BEAMS SETS";
 constexpr std::string_view ranges = "TITLE SID SOLVER ITS B1BEG B1END B2BEG B2END B3BEG B3END B4BEG B4END";
 constexpr std::string_view selection = "TITLE SID SOLVER ITS OPTION E1 E2 E3 E4 E5 E6 E7";
 constexpr std::string_view attributes = "DA1 DA2 DA3 DA4 A1 A2 A3 A4";
@@ -201,7 +229,17 @@ constexpr Handler handlers[] = {
     {"SET_PART_ADD", Phase::set, ids, attributes, keep<PartKind, sum<PartKind>>},
     {"SET_SOLID", Phase::set, ids, {}, keep<SolidKind, list<SolidKind>>},
     {"SET_SOLID_GENERATE", Phase::set, ranges, {}, keep<SolidKind, generate<SolidKind>>},
-    {"SET_SOLID_GENERAL", Phase::set, selection, {}, keep<SolidKind, select_solids>},
+    {"SET_SOLID_GENERAL", Phase::set, selection, {}, keep<SolidKind, select<ElementKind::solid>>},
+    {"SET_SOLID_ADD", Phase::set, ids, {}, keep<SolidKind, sum<SolidKind>>},
+    {"SET_SHELL", Phase::set, ids, attributes, keep<ShellKind, list<ShellKind>>},
+    {"SET_SHELL_LIST", Phase::set, ids, attributes, keep<ShellKind, list<ShellKind>>},
+    {"SET_SHELL_LIST_GENERATE", Phase::set, ranges, attributes, keep<ShellKind, generate<ShellKind>>},
+    {"SET_SHELL_GENERAL", Phase::set, selection, attributes, keep<ShellKind, select<ElementKind::shell>>},
+    {"SET_SHELL_ADD", Phase::set, ids, {}, keep<ShellKind, sum<ShellKind>>},
+    {"SET_BEAM", Phase::set, ids, {}, keep<BeamKind, list<BeamKind>>},
+    {"SET_BEAM_GENERATE", Phase::set, ranges, attributes, keep<BeamKind, generate<BeamKind>>},
+    {"SET_BEAM_GENERAL", Phase::set, selection, attributes, keep<BeamKind, select<ElementKind::beam>>},
+    {"SET_BEAM_ADD", Phase::set, ids, {}, keep<BeamKind, sum<BeamKind>>},
     {"SET_SEGMENT", Phase::set, "TITLE SID SOLVER ITS N1 N2 N3 N4", attributes,
      keep<SegmentKind, list_segments>},
     {"SET_SEGMENT_ADD", Phase::set, ids, {}, keep<SegmentKind, add_segments>},
@@ -215,6 +253,8 @@ void finish_sets(Draft& draft) {
   draft.model.node_sets = draft.node_sets.take(draft);
   draft.model.part_sets = draft.part_sets.take(draft);
   draft.model.solid_sets = draft.solid_sets.take(draft);
+  draft.model.shell_sets = draft.shell_sets.take(draft);
+  draft.model.beam_sets = draft.beam_sets.take(draft);
   draft.model.segment_sets = draft.segment_sets.take(draft);
 }
 

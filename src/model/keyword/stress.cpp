@@ -1,6 +1,8 @@
-/// *INITIAL_STRESS_SHELL and _SOLID: uniform stress of elements, in spacetime parts.
+/// *INITIAL_STRESS_SHELL and _SOLID, also _SET: uniform stress of elements, in spacetime parts.
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <tuple>
 
 #include "model/keyword/handler.hpp"
@@ -11,35 +13,75 @@ namespace {
 constexpr Dimension a_stress{1, -1, -2};
 constexpr std::string_view component[] = {"SIGXX", "SIGYY", "SIGZZ", "SIGXY", "SIGYZ", "SIGZX"};
 
-void take_stress(Draft& draft, const Entry& entry) {
-  const bool shell = entry.keyword() == "INITIAL_STRESS_SHELL";
-  draft.refuse_turned(entry, "an initial stress");
-  const Id id = entry.id(IdKind::element, "EID");
-  const std::string name = "element " + std::to_string(id);
-  InitialStress stress{.shell = shell, .element = id, .stress = {}, .place = entry.place("EID")};
+/// One stress of all points of a card; nothing, with what is wrong said, where they differ or are missing.
+std::optional<std::array<double, 6>> stress_of(Draft& draft, const Entry& entry, const std::string& name) {
+  std::array<double, 6> stress{};
   const std::size_t rows = entry.card().row_count("SIGXX");
-  if (rows == 0) return draft.error(entry, shell ? "NPLANE" : "NINT", name + " is given no stress");
-  for (int k = 0; k < 6; ++k) {
+  if (rows == 0) {
+    draft.error(entry, entry.has("NPLANE") ? "NPLANE" : "NINT", name + " is given no stress");
+    return std::nullopt;
+  }
+  for (std::size_t k = 0; k < 6; ++k) {
     for (std::size_t row = 0; row < rows; ++row) {
       const double value = entry.real(component[k], a_stress, row);
-      if (row == 0) stress.stress[k] = value;
-      if (value != stress.stress[k])
-        return draft.refuse(entry, component[k], name + " has different stresses at its points",
-                            "stresses of spacetime parts are uniform in an element: give one point");
+      if (row == 0) stress[k] = value;
+      if (value == stress[k]) continue;
+      draft.refuse(entry, component[k], name + " has different stresses at its points",
+                   "stresses of spacetime parts are uniform in an element: give one point");
+      return std::nullopt;
     }
   }
-  draft.model.initial_stress.push_back(stress);
+  return stress;
 }
+
+/// Of one element, or (SET) of all elements of a set.
+template <ElementKind kind, bool set>
+void take_stress(Draft& draft, const Entry& entry) {
+  draft.refuse_turned(entry, "an initial stress");
+  std::vector<Id> elements;
+  if constexpr (set) {
+    if (const auto* members = draft.element_set(entry, "SID", kind)) elements = *members;
+    if (elements.empty()) return;
+  } else {
+    elements = {entry.id(IdKind::element, "EID")};
+  }
+  const std::string name =
+      set ? std::string(name_of(kind)) + " set " + std::to_string(entry.id(IdKind::set, "SID"))
+          : "element " + std::to_string(elements.front());
+  const auto stress = stress_of(draft, entry, name);
+  if (!stress) return;
+  for (const Id id : elements) {
+    InitialStress one{.shell = kind == ElementKind::shell,
+                      .element = id,
+                      .stress = {},
+                      .place = entry.place(set ? "SID" : "EID")};
+    std::copy(stress->begin(), stress->end(), std::begin(one.stress));
+    draft.model.initial_stress.push_back(one);
+  }
+}
+
+constexpr std::string_view of_shells = "EID SID NPLANE NTHICK T LARGE SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX",
+                           of_solids = "EID SID NINT SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX",
+                           remark = "in spacetime parts, uniform in an element",
+                           remark_set = "in spacetime parts, the same in all elements of a set";
 
 constexpr Handler handlers[] = {
     {.keyword = "INITIAL_STRESS_SHELL",
-     .honoured = "EID NPLANE NTHICK T LARGE SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX",
-     .take = take_stress,
-     .remark = "in spacetime parts, uniform in an element"},
+     .honoured = of_shells,
+     .take = take_stress<ElementKind::shell, false>,
+     .remark = remark},
+    {.keyword = "INITIAL_STRESS_SHELL_SET",
+     .honoured = of_shells,
+     .take = take_stress<ElementKind::shell, true>,
+     .remark = remark_set},
     {.keyword = "INITIAL_STRESS_SOLID",
-     .honoured = "EID NINT SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX",
-     .take = take_stress,
-     .remark = "in spacetime parts, uniform in an element"},
+     .honoured = of_solids,
+     .take = take_stress<ElementKind::solid, false>,
+     .remark = remark},
+    {.keyword = "INITIAL_STRESS_SOLID_SET",
+     .honoured = of_solids,
+     .take = take_stress<ElementKind::solid, true>,
+     .remark = remark_set},
 };
 
 }  // namespace

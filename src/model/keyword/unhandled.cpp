@@ -47,9 +47,7 @@ constexpr Rule rules[] = {
     {"DEFINE_SD_ORIENTATION", Policy::output_only, elsewhere},
     {"MAT_THERMAL_*", Policy::output_only, elsewhere},
     {"INTEGRATION_SHELL", Policy::output_only, elsewhere},
-    {"SET_BEAM*", Policy::output_only, elsewhere},
     {"SET_DISCRETE*", Policy::output_only, elsewhere},
-    {"SET_SHELL*", Policy::output_only, elsewhere},
 
     // Physics that is not computed, with what to do instead.
     {"AIRBAG_*", Policy::refused, "apply a pressure by *LOAD_SEGMENT_SET"},
@@ -61,6 +59,8 @@ constexpr Rule rules[] = {
     {"CONTROL_REMESH*", Policy::refused, "the mesh is not rebuilt during the run"},
     {"CONTROL_THERMAL*", Policy::refused, "heat conduction is not computed"},
     {"DAMPING_FREQUENCY_RANGE*", Policy::refused, "use *DAMPING_PART_MASS or *DAMPING_PART_STIFFNESS"},
+    {"LOAD_SHELL*", Policy::refused,
+     "shells deform in spacetime only, in their plane: load their edges by *LOAD_SEGMENT"},
     {"ELEMENT_SHELL*", Policy::refused, "rigid shells and spacetime parts are computed, by *ELEMENT_SHELL"},
     {"ELEMENT_BEAM*", Policy::refused, "solids are computed, and *ELEMENT_BEAM in spacetime"},
     {"ELEMENT_*", Policy::refused, "only *ELEMENT_SOLID and *ELEMENT_MASS are computed"},

@@ -63,11 +63,19 @@ void write_mesh(const Model& model, DeckText& out) {
     out.line({set.id, 0.0});
     out.ids(set.members, [&](Index i) { return model.parts[i].id; });
   }
-  for (const auto& set : model.solid_sets) {
-    out.keyword("SET_SOLID", set.title);
-    out.line({set.id, ""});
-    out.ids(set.members, [](Id id) { return id; });
-  }
+  const std::pair<std::string_view, const std::vector<Set<Id>>*> sets_of_elements[] = {
+      {"SET_SOLID", &model.solid_sets},
+      {"SET_SHELL_LIST", &model.shell_sets},
+      {"SET_BEAM", &model.beam_sets}};
+  for (const auto& [keyword, sets] : sets_of_elements)
+    for (const auto& set : *sets) {
+      out.keyword(std::string(keyword), set.title);
+      if (keyword == "SET_SOLID")
+        out.line({set.id, ""});
+      else
+        out.line({set.id});
+      out.ids(set.members, [](Id id) { return id; });
+    }
   for (const auto& set : model.segment_sets) {
     out.keyword("SET_SEGMENT", set.title);
     out.line({set.id, 0.0});

@@ -35,9 +35,12 @@ void write_requests(const Model& model, DeckText& out) {
     out.keyword("DATABASE_HISTORY_NODE_ID");
     for (const auto& [id, title] : r.history_node_titles) out.id_line(id, title);
   }
-  if (!r.history_solids.empty()) {
-    out.keyword("DATABASE_HISTORY_SOLID");
-    out.ids(r.history_solids, [](Id id) { return id; });
+  const std::pair<std::string_view, const std::vector<Id>*> elements[] = {
+      {"SOLID", &r.history_solids}, {"SHELL", &r.history_shells}, {"BEAM", &r.history_beams}};
+  for (const auto& [kind, ids] : elements) {
+    if (ids->empty()) continue;
+    out.keyword("DATABASE_HISTORY_" + std::string(kind));
+    out.ids(*ids, [](Id id) { return id; });
   }
   if (!model.control.end.nodes.empty()) {
     out.keyword("TERMINATION_NODE");

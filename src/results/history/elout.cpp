@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "discretisation/spacetime/body.hpp"
 #include "results/element_values.hpp"
 #include "results/history.hpp"
+#include "results/history/elout_text.hpp"
 #include "results/text.hpp"
 
 namespace cleave::results {
@@ -56,17 +58,7 @@ class Elout final : public History {
 
   void write(const Snapshot& now, std::string& ascii, Rows& rows) override {
     const discretisation::World& world = now.frame().world;
-    append_format(
-        ascii,
-        "\n\n\n e l e m e n t   s t r e s s   c a l c u l a t i o n s   f o r   t i m e  s t e p%9lld"
-        "   ( at time%12.5E )\n\n",
-        static_cast<long long>(now.state().cycle), column(now.state().time));
-    ascii +=
-        " element  materl\n"
-        "     ipt  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx"
-        "                       plastic\n"
-        "           state                                                                       "
-        "           effsg      strain\n";
+    append_elout_heading(ascii, model::ElementKind::solid, now.state().cycle, now.state().time);
     std::vector<std::vector<double>> values(elements_.size());
     std::vector<bool> gone(elements_.size(), false);
     for (std::size_t b = 0; b < world.blocks.size(); ++b) {
@@ -104,10 +96,8 @@ class Elout final : public History {
     // The first quantities are stress, effective plastic strain, pressure and von Mises stress, in this
     // order.
     const double plastic_strain = values[6], von_mises = values[8];
-    append_format(ascii, "%8lld-%7lld\n       1 %-7s ", static_cast<long long>(element.id),
-                  static_cast<long long>(part), plastic_strain > 0.0 ? "plastic" : "elastic");
-    for (int k = 0; k < 6; ++k) append_format(ascii, "%12.4E", column(values[static_cast<std::size_t>(k)]));
-    append_format(ascii, "%14.4E%14.4E\n", column(von_mises), column(plastic_strain));
+    append_elout_element(ascii, model::ElementKind::solid, element.id, part, values.data(), von_mises,
+                         plastic_strain);
     values.insert(values.begin(), static_cast<double>(part));
     rows.row(element.id, values);
   }
@@ -118,7 +108,9 @@ class Elout final : public History {
 };
 
 std::unique_ptr<Writer> build(const Context& context) {
-  if (context.model.requests.history_solids.empty()) return nullptr;
+  if (context.model.requests.history_solids.empty() ||
+      discretisation::spacetime::dimension_of(context.model) > 0)
+    return nullptr;
   return history_writer<Elout>(context, context.model.requests.elout);
 }
 

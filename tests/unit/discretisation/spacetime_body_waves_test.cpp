@@ -214,9 +214,8 @@ TEST(SpacetimeBodyStress, JumpsBetweenElements) {
   EXPECT_TRUE(FromDeck<2>(square + "*INITIAL_STRESS_SHELL\n11,1,1\n0,3.0,1.0,0,0.5,0.1\n")
                   .refuses(after_square + 1, "across the plane"));
   // One strain everywhere: one linear field, zero at the first node.
-  const FromDeck<2> uniform(square +
-                            "*INITIAL_STRESS_SHELL\n11,1,1\n0,3.0,1.0,0,0.5\n12,1,1\n0,3.0,1.0,0,0.5\n"
-                            "13,1,1\n0,3.0,1.0,0,0.5\n14,1,1\n0,3.0,1.0,0,0.5\n");
+  const FromDeck<2> uniform(
+      square + "*SET_SHELL_LIST\n7,0\n11,12,13,14\n*INITIAL_STRESS_SHELL_SET\n7,1,1\n0,3.0,1.0,0,0.5\n");
   ASSERT_TRUE(uniform.body) << uniform.text();
   for (Simplex s = 0; s < 4; ++s) {
     const PointState<2> at = uniform.body->problem.initial(s, {0.5, 0.5, 0.0});

@@ -26,20 +26,20 @@ Slab<D> plane_waves(double k, double end) {
   return slab;
 }
 
-// The window is 0.25 below the order. It is wider at the highest degrees on meshes of random points, no two
-// of which are alike: the order between two of them is that of the meshes as well.
+// The window is 0.25 below the order, and 0.5 above it (see docs/spacetime-verification.md). High degrees
+// come to their order late: where four elements of a wave do not do, the meshes are twice as fine.
 
 /// Each space at degrees 1 .. `highest` of velocity and strain, p + 1 of which is the order. The displacement
 /// has p + 1 as well with three fields and P + 1 with one (less on coarse meshes for P = 2), but P with
 /// Trefftz functions: their rigid motions carry on the errors of older elements.
 template <int D>
 void expect_all_spaces(const char* name, const Slab<D>& slab, int highest, const std::vector<int>& meshes,
-                       int lowest = 1, double below = 0.25) {
+                       int lowest = 1) {
   for (int p = lowest; p <= highest; ++p) {
     const double order = p + 1;
-    expect_orders<D>(name, slab, {three_field, p}, meshes, {order, order, below});
-    expect_orders<D>(name, slab, {one_field, p + 1}, meshes, {order, order + (p == 1 ? 0.4 : 0.7), below});
-    expect_orders<D>(name, slab, {trefftz, p + 1}, meshes, {order, order, below});
+    expect_orders<D>(name, slab, {three_field, p}, meshes, {order, order});
+    expect_orders<D>(name, slab, {one_field, p + 1}, meshes, {order, order + (p == 1 ? 0.4 : 0.7)});
+    expect_orders<D>(name, slab, {trefftz, p + 1}, meshes, {order, order});
   }
 }
 
@@ -82,16 +82,14 @@ TEST(SpacetimeConvergence, SlowSquareInclined) {
 TEST(SpacetimeConvergence, SlowDelaunay) {
   auto slab = plane_waves<2>(2.0 * pi, 0.5);
   slab.mesh = unstructured();
-  expect_all_spaces("Delaunay", slab, 3, {2, 4, 8});
-  expect_all_spaces("Delaunay", slab, 4, {2, 4, 8}, 4, 0.4);
+  expect_all_spaces("Delaunay", slab, 4, {4, 8, 16});
 }
 
 TEST(SpacetimeConvergence, SlowDelaunayInclined) {
   auto slab = plane_waves<2>(2.0 * pi, 0.5);
   slab.mesh = unstructured();
   slab.pitch.smoothing = 0.3;
-  expect_all_spaces("Delaunay, inclined poles", slab, 2, {2, 4, 8});
-  expect_all_spaces("Delaunay, inclined poles", slab, 3, {2, 4, 8}, 3, 0.35);
+  expect_all_spaces("Delaunay, inclined poles", slab, 3, {4, 8, 16});
 }
 
 /// Three dimensions are dear: degree 1 for all spaces, 2 for Trefftz, as far as meshes go in seconds.
@@ -314,8 +312,7 @@ TEST(SpacetimeConvergence, SlowObliqueInterface) {
   expect_all_spaces("two materials, oblique", slab, 2, {2, 4, 8});
   expect_all_spaces("two materials, oblique", slab, 3, {4, 8, 16}, 3);
   slab.mesh = unstructured(0.5);
-  expect_all_spaces("two materials, oblique, Delaunay", slab, 2, {2, 4, 8});
-  expect_all_spaces("two materials, oblique, Delaunay", slab, 3, {2, 4, 8}, 3, 0.45);
+  expect_all_spaces("two materials, oblique, Delaunay", slab, 3, {4, 8, 16});
 }
 
 /// Poles on the interface lean along it, those inside lean any way: facets between the materials stay

@@ -31,6 +31,7 @@ struct Slab {
 /// What a run told. Errors are L2 norms over space and time, relative to the exact fields.
 struct Measured {
   double v = 0.0, e = 0.0, u = 0.0;
+  double h = 0.0;  ///< size of the mesh as the error sees it: mean of the simplices' sizes to the power p + 1
   std::int64_t patches = 0, tilted = 0;
   std::int64_t slides = 0;  ///< leaning poles on an interface of materials
 };
@@ -55,6 +56,26 @@ TargetPtr<D> exact_target(const Slab<D>& slab, const Elastic<D>& m, int material
     return s;
   };
   return silent ? make_silent<D>(field) : make_traction<D>(field);
+}
+
+/// (mean of h^(2 q))^(1 / 2 q) over a mesh, by volume, of the longest edges h: what an error that goes with
+/// h^q in each simplex has in the L2 norm. Meshes of random points are not finer by the ratio of their
+/// numbers n.
+template <int D>
+double size_of(const SpaceMesh<D>& mesh, int q) {
+  double sum = 0.0, volume = 0.0;
+  for (Simplex s = 0; s < mesh.simplex_count(); ++s) {
+    std::array<Point<D>, D + 1> corner;
+    double longest = 0.0;
+    for (std::size_t i = 0; i <= D; ++i) {
+      corner[i] = mesh.position()[static_cast<std::size_t>(mesh.simplex(s)[i])];
+      for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, distance(corner[i], corner[j]));
+    }
+    const double size = std::fabs(signed_volume<static_cast<std::size_t>(D)>(corner));
+    volume += size;
+    sum += size * std::pow(longest, 2.0 * q);
+  }
+  return std::pow(sum / volume, 0.5 / q);
 }
 
 /// Runs and checks: momentum of each element within 1e-12, energy of each patch within 1e-10 and of the whole
@@ -190,6 +211,7 @@ Measured run(const Slab<D>& slab, SpaceChoice space, int n) {
   if (D > 1 && n > 2) {
     EXPECT_EQ(out.slides > 0, slab.pitch.smoothing > 0.0 && slab.materials.size() > 1);
   }
+  out.h = size_of(mesh, field_degree(space) + 1);
   out.v = std::sqrt(sum[0] / sum[3]), out.e = std::sqrt(sum[1] / sum[4]), out.u = std::sqrt(sum[2] / sum[5]);
   return out;
 }
@@ -213,12 +235,12 @@ void expect_orders(const char* name, const Slab<D>& slab, SpaceChoice space, std
   for (const int n : meshes) {
     all.push_back(run(slab, space, n));
     const Measured& b = all.back();
-    std::printf("%-34s %-12s degree %d n %2d  %6lld tents  v %.2e E %.2e u %.2e", name,
-                words[static_cast<int>(space.space)], space.degree, n, static_cast<long long>(b.patches), b.v,
-                b.e, b.u);
+    std::printf("%-34s %-12s degree %d n %2d h %.4f  %6lld tents  v %.2e E %.2e u %.2e", name,
+                words[static_cast<int>(space.space)], space.degree, n, b.h, static_cast<long long>(b.patches),
+                b.v, b.e, b.u);
     const auto orders_since = [&](std::size_t back) {
       const Measured& a = all[all.size() - 1 - back];
-      const double r = std::log(static_cast<double>(n) / meshes[all.size() - 1 - back]);
+      const double r = std::log(a.h / b.h);
       return std::array<double, 3>{std::log(a.v / b.v) / r, std::log(a.e / b.e) / r, std::log(a.u / b.u) / r};
     };
     if (all.size() > 1) {

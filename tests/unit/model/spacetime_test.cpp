@@ -188,6 +188,52 @@ TEST(SpacetimeDeck, InitialStressesAreUniform) {
                   .says(Severity::error, after_cube + 1, "is not solved in spacetime"));
 }
 
+TEST(SpacetimeDeck, SetsOfShells) {
+  const Built b =
+      build_text(plate +
+                 "*ELEMENT_SHELL\n3,1,3,4,1,1\n*SET_SHELL_LIST\n1,0\n2,1,0,3\n*SET_SHELL_LIST_GENERATE\n"
+                 "2,0\n2,3\n*SET_SHELL_ADD\n3\n1,2\n*SET_SHELL_GENERAL\n4,0\nALL\nDELEM,2\n"
+                 "DSET_SHELL,5\n*SET_SHELL\n5,0\n3\n*DEFINE_BOX\n7,-1,1.5,-1,2,-1,1\n*SET_SHELL_GENERAL\n"
+                 "6,0\nBOX,7\n*SET_NODE_GENERAL\n1,0\nSET_SHELL,5\n");
+  // Element 3 lies on element 1, which is the mesh's affair.
+  ASSERT_FALSE(b.failed()) << b.text();
+  using Ids = std::vector<Id>;
+  const std::vector<Ids> wanted = {{1, 2, 3}, {2, 3}, {1, 2, 3}, {1}, {3}, {1, 3}};
+  ASSERT_EQ(b.model.shell_sets.size(), wanted.size());
+  for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_EQ(b.model.shell_sets[k].members, wanted[k]) << k;
+  EXPECT_EQ(b.model.node_sets[0].members, (std::vector<Index>{0, 2, 3}));
+  EXPECT_TRUE(
+      build_text(plate + "*SET_SHELL_LIST\n1,0\n77\n").says(Severity::error, after_plate + 1, "shell 77"));
+  EXPECT_TRUE(
+      build_text(cube + "*SET_SHELL_LIST\n1,0\n1\n").says(Severity::error, after_cube + 1, "no shells"));
+  EXPECT_TRUE(build_text(cube + "*SET_SOLID\n1\n1\n*SET_SOLID_ADD\n2\n1\n").model.solid_sets[1].members ==
+              Ids{1});
+}
+
+TEST(SpacetimeDeck, HistoriesAndStressesOfShellsBySet) {
+  const Built b =
+      build_text(plate +
+                 "*SET_SHELL_LIST\n1,0\n1,2\n*DATABASE_HISTORY_SHELL\n2\n*DATABASE_HISTORY_SHELL_SET\n1\n"
+                 "*INITIAL_STRESS_SHELL_SET\n1,1,1\n0,1,2,0,3\n");
+  ASSERT_FALSE(b.failed()) << b.text();
+  EXPECT_EQ(b.model.requests.history_shells, (std::vector<Id>{2, 1}));
+  ASSERT_EQ(b.model.initial_stress.size(), 2u);
+  EXPECT_EQ(b.model.initial_stress[0].element, 1);
+  EXPECT_EQ(b.model.initial_stress[1].stress[3], 3.0);
+  const auto with = [](const std::string& text) { return build_text(plate + text); };
+  EXPECT_TRUE(with("*DATABASE_HISTORY_SHELL\n77\n").says(Severity::error, after_plate + 1, "element 77"));
+  EXPECT_TRUE(with("*DATABASE_HISTORY_SHELL_SET\n3\n").says(Severity::error, after_plate + 1, "shell set 3"));
+  EXPECT_TRUE(
+      with("*INITIAL_STRESS_SHELL_SET\n3,1,1\n0,1\n").says(Severity::error, after_plate + 1, "shell set 3"));
+  EXPECT_TRUE(with("*DATABASE_HISTORY_BEAM\n1\n").says(Severity::warning, after_plate + 1, "no beams"));
+  EXPECT_NE(with("*LOAD_SHELL_ELEMENT\n1,9,1.0\n").text().find("load their edges"), std::string::npos);
+  // Rigid shells have no stresses.
+  EXPECT_TRUE(build_text("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_RIGID\n1,1.0,1.0,0.3\n*SECTION_SHELL\n1\n"
+                         "0.1,0.1,0.1,0.1\n*PART\nplate\n1,1,1\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n"
+                         "*ELEMENT_SHELL\n1,1,1,2,3,3\n*DATABASE_HISTORY_SHELL\n1\n")
+                  .says(Severity::warning, 19, "is rigid"));
+}
+
 const std::string orthotropic =
     "*MAT_ORTHOTROPIC_ELASTIC\n1,7.85e-9,2.0e5,1.0e5,1.5e5,0.1,0.2,0.3\n"
     "8.0e4,7.0e4,6.0e4,3.0\n0,0,0\n0,1,0,0,0,0,30.0\n";
@@ -219,10 +265,12 @@ TEST(SpacetimeDeck, OrthotropicMaterials) {
 }
 
 TEST(SpacetimeDeck, RoundTrip) {
-  expect_round_trip(plate +
-                    "*SET_SEGMENT\n4\n1,2\n2,5\n*BOUNDARY_NON_REFLECTING\n4\n*LOAD_INCIDENT_WAVE\n4,2,9,0.7,"
-                    "0.3\n1,2,0,4,5\n\n"
-                    "4,1,9\n1,1,0\n*INITIAL_STRESS_SHELL\n1,1,1\n0,1.1,2,0,3\n2,1,1\n0,1,2,3,4\n");
+  expect_round_trip(
+      plate +
+      "*SET_SEGMENT\n4\n1,2\n2,5\n*BOUNDARY_NON_REFLECTING\n4\n*LOAD_INCIDENT_WAVE\n4,2,9,0.7,"
+      "0.3\n1,2,0,4,5\n\n"
+      "4,1,9\n1,1,0\n*INITIAL_STRESS_SHELL\n1,1,1\n0,1.1,2,0,3\n2,1,1\n0,1,2,3,4\n"
+      "*SET_SHELL_LIST_TITLE\nboth\n1,0\n1,2\n*DATABASE_HISTORY_SHELL\n2\n*DATABASE_ELOUT\n0.1\n");
   std::string stiff = plate;
   const std::string law = "*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n";
   expect_round_trip(stiff.replace(stiff.find(law), law.size(), orthotropic));
@@ -233,7 +281,8 @@ TEST(SpacetimeDeck, RoundTrip) {
   expect_round_trip(
       "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n"
       "*SECTION_BEAM_SDG\n1,2,0,0,0.25\n*PART\nbar\n1,1,1\n*NODE\n1,0,0,0\n2,1,0,0\n3,2,0,0\n"
-      "*ELEMENT_BEAM\n1,1,1,2\n2,1,2,3\n*DEFINE_CURVE\n9\n0,0\n2,2\n*LOAD_SEGMENT\n9,1,0,3\n");
+      "*ELEMENT_BEAM\n1,1,1,2\n2,1,2,3\n*DEFINE_CURVE\n9\n0,0\n2,2\n*LOAD_SEGMENT\n9,1,0,3\n"
+      "*SET_BEAM\n4\n1\n*SET_BEAM_GENERAL\n5\nALL\n*DATABASE_HISTORY_BEAM_SET\n5\n");
   expect_round_trip(
       "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n"
       "*SECTION_SOLID_SDG\n1,1,3,2\n*PART\ntet\n1,1,1\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n"

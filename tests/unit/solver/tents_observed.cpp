@@ -1,6 +1,7 @@
 /// What observers are shown beside the motion: openings of cracks, stresses across the plane, and that what
 /// nobody asks for is not worked out.
 
+#include "model/elasticity.hpp"
 #include "tents_rig.hpp"
 
 namespace cleave::solver::test {
@@ -209,6 +210,79 @@ TEST(TentsInstants, OnlyWhatIsAskedForIsEvaluated) {
     EXPECT_EQ(asks == every_node ? nodes : sums, asking.seen.size());
     EXPECT_LT(asks == every_node ? sums : nodes, asking.seen.size() / 2);
   }
+}
+
+/// Stresses of single elements are those of the wave in their middles, in the order of the requests, at the
+/// instants of elout, where energies are not due. An element of two triangles has the mean of both.
+template <int D>
+void elements_of_standing_wave(SpaceMeshInput<D> mesh, SpaceChoice space, int per_element, double tolerance) {
+  Rig<D> rig(std::move(mesh), 0.6, 0.3);
+  rig.space = space;
+  make_standing_wave(rig);
+  rig.simplices_per_element = per_element;
+  const std::vector<model::Id> wanted = {3, 1, 2};
+  (D == 1   ? rig.model.requests.history_beams
+   : D == 2 ? rig.model.requests.history_shells
+            : rig.model.requests.history_solids) = wanted;
+  rig.model.requests.elout.every = 0.2;
+  rig.model.parts[0].section.form = D == 1 ? 2 : 0;
+  const auto elastic = std::make_shared<model::Elasticity>();
+  elastic->poisson = 0.25;
+  rig.model.parts[0].elastic = elastic;
+  struct Probe final : Observer {
+    std::vector<std::pair<double, bool>> seen;
+    std::function<void(const Frame&)> check;
+    void begin(const Frame& frame) override { after_step(frame); }
+    void after_step(const Frame& frame) override {
+      seen.emplace_back(frame.state.time, frame.energies_due);
+      check(frame);
+    }
+    void finish(const Frame&, Ending, const discretisation::StepStatus&) override {}
+  } probe;
+  probe.check = [&](const Frame& frame) {
+    const std::vector<ElementStress> stresses = frame.cells->stresses();
+    ASSERT_EQ(stresses.size(), wanted.size());
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      EXPECT_EQ(stresses[k].element, wanted[k]);
+      EXPECT_EQ(stresses[k].part, 0);
+      double strain = 0.0, volume = 0.0;
+      for (int s = 0; s < per_element; ++s) {
+        const auto& corners = rig.input.simplex[static_cast<std::size_t>((wanted[k] - 1) * per_element + s)];
+        std::array<Point<D>, D + 1> corner;
+        Event<D> middle{};
+        for (std::size_t c = 0; c <= D; ++c) {
+          corner[c] = rig.input.vertex[static_cast<std::size_t>(corners[c])];
+          middle[0] += corner[c][0] / (D + 1);
+        }
+        middle[D] = frame.state.time;
+        const double size = std::fabs(signed_volume<static_cast<std::size_t>(D)>(corner));
+        strain += size * standing_wave<D>(middle).strain[0];
+        volume += size;
+      }
+      strain /= volume;
+      // lambda + 2 mu = 1, lambda = 1/3: the same across the plane and across a bar.
+      const double exact[] = {strain, strain / 3, strain / 3, 0.0, 0.0, 0.0};
+      for (int c = 0; c < 6; ++c)
+        EXPECT_NEAR(stresses[k].stress[c], exact[c], tolerance) << D << "D, component " << c;
+    }
+  };
+  Wishes wishes;
+  Observer* const observers[] = {&probe};
+  auto state = rig.fresh();
+  ASSERT_TRUE(make_tents<D>(rig.world, rig.body(), {})->advance(state, observers, wishes).status.ok);
+  ASSERT_EQ(probe.seen.size(), 5u);
+  const double times[] = {0.0, 0.2, 0.3, 0.4, 0.6};
+  const bool due[] = {true, false, true, false, true};
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_NEAR(probe.seen[k].first, times[k], 1e-12);
+    EXPECT_EQ(probe.seen[k].second, due[k]) << times[k];
+  }
+}
+
+TEST(TentsElements, StressesOfAStandingWave) {
+  elements_of_standing_wave<1>(sample::line(8, 0.2), {LocalSpace::trefftz, 4}, 1, 1e-4);
+  elements_of_standing_wave<2>(sample::grid(3, 0.2), {LocalSpace::trefftz, 4}, 2, 4e-3);
+  elements_of_standing_wave<3>(sample::cube(2), {LocalSpace::trefftz, 3}, 1, 3e-2);
 }
 
 }  // namespace

@@ -38,6 +38,14 @@ def node_at(mesh, *place):
     return min(range(len(mesh.nodes)), key=lambda i: math.dist(mesh.nodes[i], place)) + 1
 
 
+def element_at(mesh, *place):
+    """Number and middle of the element nearest to a place."""
+    middle = lambda nodes: [sum(mesh.nodes[k - 1][i] for k in nodes) / len(nodes) for i in range(3)]
+    place = tuple(place) + (0.0,) * (3 - len(place))
+    best = min(range(len(mesh.elements)), key=lambda i: math.dist(middle(mesh.elements[i][1]), place))
+    return best + 1, middle(mesh.elements[best][1])
+
+
 def push(deck, segments, curve, factor):
     deck.card("LOAD_SEGMENT_SET", [deck.segment_set(segments), curve, factor])
 

@@ -5,7 +5,7 @@ from basics import Cases
 from deck import Deck
 from mesh import Mesh, hexahedra, tetrahedra
 from simplices import Triangles, edges_on, faces_on
-from spacetime_basics import (common, node_at, plane_strain_modulus, pulse, pulse_curve,
+from spacetime_basics import (common, element_at, node_at, plane_strain_modulus, pulse, pulse_curve,
                               pulse_integral, push, rollers, write_mesh)
 
 CASES = case = Cases()
@@ -53,8 +53,19 @@ def strip(name, space, repeat):
     deck.says("expect", f"x_velocity node={right} time=1.5  0.4  rel=0.004 (order)")
     deck.says("expect", f"x_velocity node={left} time=1.75  -0.6  rel=0.004 (order)")
     deck.says("expect", f"x_velocity node={right} time=2.3  0.0  abs=0.002 (order: nothing comes back from the end)")
+    # In the middle of elements: -rho c v along the wave, nu / (1 - nu) of it across.
+    watched = []
+    for x, time, size, start in ((0.5, 0.75, -1.0, lambda x: x), (1.5, 1.5, -1.6, lambda x: 1 + (x - 1) / 2)):
+        element, middle = element_at(mesh, x, 0.125)
+        watched.append(element)
+        stress = size * pulse(time - start(middle[0]), 0.5)
+        for component, share in (("xx", 1.0), ("yy", 1 / 3), ("zz", 1 / 3)):
+            deck.says("expect", f"stress_{component} element={element} time={time}  {share * stress:.6g}  rel=0.015 (order)")
     deck.says("vary", "threads=1,3 restart=no,20" if repeat else "threads=1,2,3")
     common(deck, 2.3, space, degree=4, interval=0.05, nodes=[left, right], repeat=repeat)
+    deck.card("DATABASE_ELOUT", [0.05])
+    deck.card("SET_SHELL_LIST", [1, 0.0], watched)
+    deck.card("DATABASE_HISTORY_SHELL_SET", [1])
     deck.card("SECTION_SHELL_SDG", [1])
     for part, density, speed in ((1, 1.0, 1.0), (2, 2.0, 2.0)):
         deck.part(part, 1, part)
@@ -152,8 +163,14 @@ def spacetime_block():
     deck.says("source", "d'Alembert")
     deck.says("expect", f"x_velocity node={free} time=1.35  2.0  rel=0.02 (order)")
     deck.says("expect", f"x_displacement node={free} time=1.8  {2 * pulse_integral(0.7, 0.7):.8g}  rel=0.01 (order)")
+    element, middle = element_at(mesh, 0.5, 0.125, 0.125)
+    for component, share in (("xx", 1.0), ("yy", 1 / 3), ("zz", 1 / 3)):
+        deck.says("expect", f"stress_{component} element={element} time=0.85  {-share * pulse(0.85 - middle[0], 0.7):.6g}  "
+                  "abs=0.03 (order: in its middle)")
     deck.says("vary", "threads=1,2")
     common(deck, 1.8, degree=3, interval=0.05, nodes=[free])
+    deck.card("DATABASE_ELOUT", [0.05])
+    deck.card("DATABASE_HISTORY_SOLID", [element])
     deck.card("SECTION_SOLID_SDG", [1])
     deck.part(1, 1, 1)
     deck.card("MAT_ELASTIC", [1, 1.0, plane_strain_modulus(0.25, 1.0, 1.0), 0.25])
