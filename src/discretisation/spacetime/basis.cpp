@@ -1,8 +1,10 @@
 #include "discretisation/spacetime/basis.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include "base/assert.hpp"
+#include "discretisation/spacetime/monomials.hpp"
 #include "discretisation/spacetime/quadrature.hpp"
 
 namespace cleave::discretisation::spacetime {
@@ -81,23 +83,8 @@ void Basis<M>::evaluate_raw(const std::array<Real, M + 1>& barycentric, int degr
 
 template <int M>
 Basis<M>::Basis() {
-  for (int degree = 0; degree <= largest_degree; ++degree) {
-    std::array<int, M> k{};
-    // Count through all indices of this total degree in lexical order.
-    const auto visit = [&](auto&& self, int level, int left) -> void {
-      if (level == M - 1) {
-        k[static_cast<std::size_t>(level)] = left;
-        index_.push_back(k);
-        degree_.push_back(degree);
-        return;
-      }
-      for (int v = left; v >= 0; --v) {
-        k[static_cast<std::size_t>(level)] = v;
-        self(self, level + 1, left - v);
-      }
-    };
-    visit(visit, 0, degree);
-  }
+  index_ = exponents<M>();
+  for (const auto& k : index_) degree_.push_back(std::accumulate(k.begin(), k.end(), 0));
   norm_.assign(count, 1.0);
   const SimplexRule& rule = simplex_rule(M, largest_degree + 1);
   std::vector<double> square(count, 0.0), value(count);

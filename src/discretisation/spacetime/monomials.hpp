@@ -1,5 +1,5 @@
 #pragma once
-/// Monomials in spacetime, for the Trefftz functions.
+/// Monomials in spacetime, for the Trefftz functions, and the list of exponents that every basis shares.
 
 #include <array>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace cleave::discretisation::spacetime {
 
-/// Exponents of the monomials in M variables, sorted by degree.
+/// Exponents in M variables of every total degree up to the largest, sorted by degree, lexical within one.
 template <int M>
 const std::vector<std::array<int, M>>& exponents() {
   static const auto list = [] {
