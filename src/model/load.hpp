@@ -98,9 +98,9 @@ struct RigidWall {
   std::vector<Index> nodes;  ///< that may not pass
   Shape shape = Shape::plane;
   bool geometric = false;  ///< a *RIGIDWALL_GEOMETRIC: it may move as a curve tells, it has no mass
-  Vector origin, normal;   ///< outward unit normal; axis of a cylinder, which begins at the origin; a sphere
-                           ///< has its centre there
-  bool finite = false;     ///< of a *RIGIDWALL_PLANAR or _FLAT: only a rectangle
+  Vector origin{0, 0, 0}, normal{0, 0, 1};  ///< outward unit normal; axis of a cylinder, which begins at the
+                                            ///< origin; a sphere has its centre there
+  bool finite = false;                      ///< of a *RIGIDWALL_PLANAR or _FLAT: only a rectangle
   Vector edge_l{1, 0, 0}, edge_m{0, 1, 0};  ///< unit edges of the finite wall or prism
   double length_l = 0.0, length_m = 0.0;    ///< of a geometric wall 0: without end [length]
   double length_n = 0.0;  ///< of a prism against the normal, of a cylinder along its axis; 0: without end
