@@ -115,7 +115,8 @@ def wall_hollow():
 
 @case
 def wall_friction_two_ways():
-    """Cubes slide on a floor whose friction is twice as large across as along."""
+    """Cubes slide on a floor whose friction is twice as large across as along. Along, it does not decay and the static
+    coefficient stays; across, it has decayed to the dynamic one at the least speed."""
     deck = Deck("wall_friction_two_ways", "Cubes slide to rest on orthotropic friction")
     speed, gravity, along, across, end = 2.0, 10.0, 0.2, 0.4, 1.2
     deck.says("case", "cubes slide on a wall with friction 0.2 along x + y and 0.4 across it")
@@ -142,6 +143,6 @@ def wall_friction_two_ways():
     deck.card("LOAD_BODY_Z", [1, 1.0])
     floor = deck.node_set(mesh.where(lambda x, y, z: z == 0))
     deck.card("RIGIDWALL_PLANAR_ORTHO", [floor], [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
-              [along, across, along, across], [0, 0, 1.0, 1.0, 0.0])
+              [along, 1.5 * across, 0.5 * along, across, 0.0, 100.0], [0, 0, 1.0, 1.0, 0.0])
     deck.mesh(mesh)
     return deck
