@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Shows that the self-checking decks can fail: changes one value of each, runs it, and expects a failed check.
 
-usage: break_decks.py CLEAVE [NAME...]      (default: all; prints the table of docs/verification-decks.md)
+usage: break_decks.py CLEAVE [NAME...]      (default: all; prints the tables of docs/verification-decks.md)
 
-Ends with status 1 if a changed deck still passes. Takes about ten minutes; nothing runs it by itself.
+Ends with status 1 if a changed deck still passes. Takes about twenty minutes; nothing runs it by itself.
 """
 import re
 import subprocess

@@ -108,6 +108,9 @@ TEST(SpacetimeBody, DisplacementsAndAccelerationsAreVelocities) {
   EXPECT_TRUE(FromDeck<2>(right + "*DEFINE_CURVE\n7\n0,1\n2,2\n*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,2,7\n")
                   .refuses(line + 6, "jumps"));
   EXPECT_TRUE(
+      FromDeck<2>(right + "*DEFINE_CURVE\n7\n0,0\n1,2\n1,3\n2,4\n*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,2,7\n")
+          .refuses(line + 8, "jumps"));
+  EXPECT_TRUE(
       FromDeck<2>(right + "*INITIAL_VELOCITY_NODE\n6,2.0\n*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,1,9,3.0\n")
           .refuses(line + 4, "an initial velocity"));
 }
