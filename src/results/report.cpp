@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* history_names[] = {"glstat", "matsum", "nodout", "crack",
+constexpr const char* history_names[] = {"glstat", "matsum", "nodout", "crack",  "crack_tip",
                                          "elout",  "rwforc", "rbdout", "spcforc"};
 constexpr const char* picture_names[] = {"initial", "picture"};
 

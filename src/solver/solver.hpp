@@ -103,6 +103,16 @@ struct CrackOpening {
   double normal[3] = {0, 0, 0};  ///< of the undeformed crack, from the first side to this one
 };
 
+/// Stress intensities at a tip of a crack in isotropic spacetime parts, from the jump of displacement across
+/// the crack between two distances behind the tip: along the normal, ahead, and along ahead x normal.
+struct CrackTip {
+  model::Index node = -1;
+  double intensity[3] = {0, 0, 0};  ///< K_I K_II K_III [stress length^(1/2)]
+  double near = 0.0, far = 0.0;     ///< the two distances [length]
+  double ahead[3] = {0, 0, 0};      ///< the way the undeformed crack points, square to its rim
+  double normal[3] = {0, 0, 0};     ///< of the undeformed crack
+};
+
 /// What of a frame a solver may leave out until an observer asks for it, because it costs time: bits.
 enum Wanted : unsigned {
   every_node = 1u,  ///< nodal values of all nodes; those of *DATABASE_HISTORY_NODE are always there
@@ -165,6 +175,7 @@ struct Frame {
   std::span<const BodyMotion> bodies = {};          ///< one per Model::rigid_bodies
   const ContactSource* contact = nullptr;           ///< null without contact
   std::span<const CrackOpening> cracks = {};        ///< the same nodes and sides in all frames of a run
+  std::span<const CrackTip> tips = {};              ///< of cracks, by node; the same in all frames of a run
   /// Brings what is wanted (bits of Wanted) up to t_n; empty: everything is there. Nothing of it moves in
   /// memory.
   std::function<void(unsigned)> evaluate = {};

@@ -20,6 +20,7 @@
 #include "solver/tents_instants.hpp"
 #include "solver/tents_patches.hpp"
 #include "solver/tents_state.hpp"
+#include "solver/tents_tips.hpp"
 #include "solver/termination.hpp"
 
 namespace cleave::solver {
@@ -55,6 +56,7 @@ class Tents final : public Solver, private CellSource {
         patches_(*body_, outside_, columns_),
         filler_(model_, *body_, outside_),
         cracks_(model_, *body_),
+        tips_(model_, *body_),
         probes_(model_, *body_),
         album_(options.tents),
         verify_(body_->verify) {}
@@ -192,6 +194,7 @@ class Tents final : public Solver, private CellSource {
     have_ = 0;
     filler_.fill_nodes(state, instant, false);
     cracks_.fill(instant);
+    tips_.fill(instant);
     if (resumed) {
       filler_.fill_energies(state, instant, true);
       list_facts(state);
@@ -332,6 +335,7 @@ class Tents final : public Solver, private CellSource {
             .facts = facts_,
             .save = [this, &state] { save(state); },
             .cracks = cracks_.openings(),
+            .tips = tips_.tips(),
             .evaluate = [this, &state](unsigned wanted) { evaluate(state, wanted); },
             .energies_due = energies_due()};
   }
@@ -379,6 +383,7 @@ class Tents final : public Solver, private CellSource {
   PatchRunner<D> patches_;
   StateFiller<D> filler_;
   CrackSides<D> cracks_;
+  CrackTips<D> tips_;
   ElementProbes<D> probes_;
   std::size_t written_ = 0;    ///< instants
   double time_ = 0.0;          ///< of the instant written last
