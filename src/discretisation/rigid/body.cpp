@@ -8,7 +8,6 @@
 namespace cleave::discretisation {
 
 using base::cross;
-using base::dot;
 using model::Vector;
 
 namespace {

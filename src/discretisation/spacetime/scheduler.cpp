@@ -106,7 +106,7 @@ struct Scheduler<D>::Run {
   bool lower(Tent& tent, Patch<D>& patch, Verdict verdict) {
     const Vertex v = tent.pole.vertex;
     while (verdict.kind != Verdict::accept) {
-      if (verdict.kind == Verdict::fail) return fail(v, tent.key, std::move(verdict.what));
+      if (verdict.kind == Verdict::fail) return fail(v, tent.key, verdict.what);
       CLEAVE_ASSERT(verdict.factor > 0.0 && verdict.factor < 1.0, "a lower tent must be lower, and a tent");
       tent.share *= verdict.factor;
       if (tent.share < 1e-6)

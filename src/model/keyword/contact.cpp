@@ -50,9 +50,12 @@ bool find_parts(Draft& draft, const Entry& entry, std::string_view field, Contac
     std::vector<Index> named(*set);
     std::sort(named.begin(), named.end());
     named.erase(std::unique(named.begin(), named.end()), named.end());
-    if (side.type == 2) side.parts = std::move(named);
-    for (Index p = 0; side.type == 6 && p < static_cast<Index>(draft.model.parts.size()); ++p)
-      if (!std::binary_search(named.begin(), named.end(), p)) side.parts.push_back(p);
+    if (side.type == 6) {
+      for (Index p = 0; p < static_cast<Index>(draft.model.parts.size()); ++p)
+        if (!std::binary_search(named.begin(), named.end(), p)) side.parts.push_back(p);
+    } else {
+      side.parts = std::move(named);
+    }
   }
   if (side.parts.empty()) draft.error(entry, field, "the contact is given no part");
   return !side.parts.empty();
