@@ -40,7 +40,7 @@ Scene build_profiles(const std::filesystem::path& run_directory, std::size_t max
   std::vector<std::vector<float>> values(first.fields.size());
   std::string times;
   for (std::size_t i = 0; i < wanted; ++i) {
-    const FrameFile& from = files[i * (files.size() - 1) / (wanted - 1)];
+    const FrameFile& from = files[i * (files.size() - 1) / std::max<std::size_t>(wanted - 1, 1)];
     VtuFrame frame;
     std::string wrong = read_vtu(from.file, frame);
     if (wrong.empty() && frame.position.size() != first.position.size()) wrong = "it has other points";
@@ -60,6 +60,7 @@ Scene build_profiles(const std::filesystem::path& run_directory, std::size_t max
   }
 
   std::vector<float> x;
+  x.reserve(points);
   for (const std::size_t p : order) x.push_back(static_cast<float>(first.position[3 * p]));
   std::string bytes;
   append_bytes(bytes, x);

@@ -15,7 +15,6 @@ namespace cleave::solver {
 namespace {
 
 using base::cross;
-using base::dot;
 
 constexpr std::size_t grain = 256;
 class TiedFaces final : public Interaction {
