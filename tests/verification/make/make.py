@@ -20,7 +20,7 @@ CASES = {**homogeneous.CASES, **waves.CASES, **bodies.CASES, **statics.CASES, **
 if __name__ == "__main__":
     for name in sys.argv[1:] or CASES:
         written = {**CASES, **spacetime.LARGE}[name]()
-        folder = HERE.parent / "validation" if name.startswith("taylor") else HERE
+        folder = HERE.parent / "validation" if name.startswith("taylor") or name in spacetime.VALIDATION else HERE
         if name in spacetime.EXAMPLES:
             folder = HERE.parent.parent / "examples" / name
             folder.mkdir(exist_ok=True)

@@ -2,9 +2,10 @@
 import math
 
 
-def common(deck, end, space=3, degree=3, interval=None, nodes=(), frames=0, repeat=False):
+def common(deck, end, space=3, degree=3, interval=None, nodes=(), frames=0, repeat=False, parts=0):
+    """Control, tables and checks; `parts`: of the sides of elements in field files, 0 by degree."""
     deck.card("CONTROL_TERMINATION", [end])
-    deck.card("CONTROL_SPACETIME", [space, degree], [0, 1, 0, 1] if repeat else [0, 1])
+    deck.card("CONTROL_SPACETIME", [space, degree], [0, 1, parts, 1] if repeat else [0, 1, parts] if parts else [0, 1])
     deck.card("DATABASE_GLSTAT", [interval or end / 100])
     if frames:
         deck.card("DATABASE_BINARY_D3PLOT", [end / frames])

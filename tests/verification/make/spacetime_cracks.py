@@ -7,7 +7,7 @@ from deck import Deck
 from simplices import Triangles, edges_on
 from spacetime_basics import common, node_at, plane_strain_modulus, push, rollers, speed_d, step_curve, write_mesh
 
-EXAMPLES, LARGE = Cases(), Cases()   # tests that are shown, too; on demand only
+CASES, EXAMPLES, LARGE = Cases(), Cases(), Cases()   # tests; those that are shown, too; on demand only
 
 STEEL = {"young": 211.0e9, "poisson": 0.3, "density": 7800.0}
 STEP_STRESS, PLATE_HEIGHT = 500.0e6, 2.0   # of the half plate
@@ -39,6 +39,11 @@ def crack_plate(name, half_width, coarse, fine, growth, degree, whole):
             what = f"opening node={node} file=crack" if whole else f"y_displacement node={node}"
             deck.says("expect", f"{what} time={share * arrival:.10g}  {(2 if whole else 1) * u:.6g}  rel=0.01 "
                       f"(order: {r:g} m from the tip)")
+    if whole:
+        tip = node_at(mesh, 0.0, 0.0)
+        for share, of_root in ((1.5, 0.7209), (2.0, 1.0195), (3.0, 1.4418)):
+            deck.says("expect", f"K_I file=crack_tip id={tip} time={share * arrival:.10g}  {of_root * stress * math.sqrt(height):.6g}  "
+                      f"rel=0.01 (order: Freund's, {share:g} arrivals, {of_root:g} of s sqrt(2 m))")
     near_tip = (3 * fine, 8 * fine)
     if not whole:
         deck.says("analyse", f"crack_intensity.py {near_tip[0]:g} {near_tip[1]:g}")
@@ -65,6 +70,7 @@ def crack_plate(name, half_width, coarse, fine, growth, degree, whole):
 
 EXAMPLES["crack_step"] = lambda: crack_plate("crack_step", 2.25, 0.25, 0.015625, 0.5, 3, whole=False)
 LARGE["crack_step_fine"] = lambda: crack_plate("crack_step_fine", 2.25, 0.125, 0.015625, 0.25, 3, whole=False)
+CASES["spacetime_step_plate"] = lambda: crack_plate("spacetime_step_plate", 5.0, 0.25, 0.03125, 0.5, 3, whole=True)
 LARGE["crack_step_whole"] = lambda: crack_plate("crack_step_whole", 5.0, 0.25, 0.03125, 0.35, 3, whole=True)
 
 
