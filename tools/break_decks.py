@@ -111,10 +111,16 @@ FAMILIES = {
     "Spacetime": {
         "spacetime_bar_8": [E_OF(1.2) + ("spacetime_bar_32",)],
         "spacetime_block": [E_OF(1.2)],
+        "spacetime_cavity": [("PR", "*MAT_ELASTIC", 0, POISSON, 0.9), LOAD_CURVE(1.02)],
+        "spacetime_centre_crack": [E_OF(1.1), LOAD_CURVE(1.05)],
         "spacetime_fibres": [("EA", "*MAT_ORTHOTROPIC_ELASTIC", 0, 2, 1.1), ("PRCB", "*MAT_ORTHOTROPIC_ELASTIC", 0, 7, 1.2)],
         "spacetime_mixed": [E_OF(1.2)],
+        "spacetime_pushed_crack": [("PR", "*MAT_ELASTIC", 0, POISSON, 0.8), LOAD_CURVE(1.05)],
+        "spacetime_pushed_penny": [E_OF(1.2), LOAD_CURVE(1.1)],
+        "spacetime_pushed_penny_early": [E_OF(1.2), LOAD_CURVE(1.1)],
         "spacetime_repeat": [E_OF(1.2), LOAD_CURVE(1.2)],
         "spacetime_shear": [E_OF(1.2)],
+        "spacetime_step_plate": [("PR", "*MAT_ELASTIC", 0, POISSON, 0.9), LOAD_CURVE(1.02)],
         "spacetime_strip": [E_OF(1.2), LOAD_CURVE(1.2)],
     },
     "Taylor bars": {
