@@ -89,6 +89,7 @@ class Explicit final : public Solver, private ContactSource {
     damping_after,
     wall_after,
     gross_work,
+    contact_step,
     step_element,
     first_stable,
     number_count
@@ -241,7 +242,7 @@ class Explicit final : public Solver, private ContactSource {
       rate += output.stiffness_rate;
       damping = std::max(damping, output.damping);
     }
-    state.next_step = limit_step(state.next_step, stable.step, rate, damping);
+    state.next_step = limit_step(state.next_step, stable.step, rate, damping, number(state, contact_step));
     watch_.lap(Phase::contact);
     return status;
   }

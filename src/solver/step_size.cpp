@@ -20,12 +20,16 @@ double choose_step(const model::Model& model, const State& state, const StableSt
   return limit < none ? limit : 0.01 * model.control.end.time;
 }
 
-double limit_step(double step, double stable, double rate, double damping) {
-  if (rate <= 0.0) return step;
-  constexpr double margin = 0.99;
-  const double elements = stable < 1.0e29 ? 4.0 / (stable * stable) : 0.0;
-  const double bound = 2.0 / std::sqrt(elements + rate) * (std::sqrt(1.0 + damping * damping) - damping);
-  return std::min(step, margin * bound);
+double limit_step(double step, double stable, double rate, double damping, double& last) {
+  constexpr double margin = 0.99, growth = 1.01;
+  double limit = last > 0.0 ? growth * last : step;
+  if (rate > 0.0) {
+    const double elements = stable < 1.0e29 ? 4.0 / (stable * stable) : 0.0;
+    const double bound = 2.0 / std::sqrt(elements + rate) * (std::sqrt(1.0 + damping * damping) - damping);
+    limit = std::min(limit, margin * bound);
+  }
+  last = limit < step ? limit : 0.0;
+  return std::min(step, limit);
 }
 
 double least_step(const model::Model& model, const State& state) {

@@ -17,15 +17,17 @@ struct StableStep {
 /// first one if that is smaller. Without any element the step is a hundredth of the run.
 double choose_step(const model::Model& model, const discretisation::State& state, const StableStep& stable);
 
-/// The step where springs of contact act beside those of the elements: with the bounds of both, 2 /
-/// sqrt(w_e^2
-/// + w_c^2), less for damping in it (Belytschko et al. 2014, sec. 6.2). The safety factor of the elements is
-/// not applied once more: a step that is small enough stays.
+/// The step where springs of contact act beside those of the elements: with the bounds of both,
+/// 2 / sqrt(w_e^2 + w_c^2), less for damping in it (Belytschko et al. 2014, sec. 6.2). The safety factor of
+/// the elements is not applied once more: a step that is small enough stays. It grows back slowly: a step
+/// that changes from dt to dt' while a node has the acceleration a gives it the energy m a^2 (dt^2 - dt'^2) /
+/// 8, and bodies that touch and part every few steps would gain that each time.
 /// @param step     asked for [time]
 /// @param stable   of the elements [time]
 /// @param rate     bound of w_c^2 [1/time^2]
 /// @param damping  share of critical damping [-]
-double limit_step(double step, double stable, double rate, double damping);
+/// @param last     limit of the step before, 0 for none; overwritten by that of this one [time]
+double limit_step(double step, double stable, double rate, double damping, double& last);
 
 /// DTMIN: the step below which the run stops, or (ERODE) the element is deleted; 0 for none [time].
 double least_step(const model::Model& model, const discretisation::State& state);

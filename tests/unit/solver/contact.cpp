@@ -259,7 +259,7 @@ TEST(Contact, IgnoreSaysWhatIsDoneAboutPenetration) {
 TEST(Contact, EnergyFromNothingEndsTheRun) {
   const DeckRun run(head(1.0) + "*CONTROL_TIMESTEP\n0,0.9\n" + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) +
                     cube(2, {1.051, 0.1, 0.1}, 0, 0, {-3, 0, 0}, 0.0) +
-                    contact("AUTOMATIC_SURFACE_TO_SURFACE", 0, "", 30.0));
+                    contact("AUTOMATIC_SURFACE_TO_SURFACE", 0, "", 50.0));
   EXPECT_EQ(run.outcome.ending, Ending::physics);
   EXPECT_NE(run.outcome.status.what.find("contact 1: node"), std::string::npos) << run.outcome.status.what;
   EXPECT_NE(run.outcome.status.what.find("created more than a tenth"), std::string::npos)

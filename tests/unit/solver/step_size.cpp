@@ -1,5 +1,7 @@
 /// The time step, mass scaling, erosion and the ways a run ends.
 
+#include "solver/step_size.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -26,6 +28,26 @@ TEST(StepSize, SafetyFirstStepAndCurve) {
     EXPECT_DOUBLE_EQ(frame.state.next_step, t == 0.0 ? 0.01 : t < 0.5 ? 0.2 : 0.1);
     EXPECT_EQ(frame.step_element, 2);
   });
+}
+
+// Springs that add w_c to elements of w_e = 2 / dt: 0.99 * 2 / sqrt(w_e^2 + w_c^2). Once they are gone the
+// step grows by 1 % each time until it is what was asked for, and then contact has no memory of it.
+TEST(StepSize, ContactLimitsAndLetsGoSlowly) {
+  double last = 0.0;
+  EXPECT_EQ(limit_step(0.9, 1.0, 0.0, 0.0, last), 0.9);
+  EXPECT_EQ(last, 0.0);
+  EXPECT_DOUBLE_EQ(limit_step(0.9, 1.0, 12.0, 0.0, last), 0.99 * 0.5);
+  EXPECT_DOUBLE_EQ(limit_step(0.9, 1.0, 12.0, 0.75, last), 0.99 * 0.25);  // sqrt(1 + z^2) - z
+  double step = 0.99 * 0.25;
+  int count = 0;
+  while (step < 0.9) {
+    const double next = limit_step(0.9, 1.0, 0.0, 0.0, last);
+    EXPECT_DOUBLE_EQ(next, std::min(1.01 * step, 0.9));
+    step = next;
+    ++count;
+  }
+  EXPECT_EQ(count, 130);  // log(0.9 / 0.2475) / log(1.01)
+  EXPECT_EQ(last, 0.0);
 }
 
 // DT2MS < 0: the small element gets (0.5/0.25)^2 times its mass, the other none; the step is TSSFAC |DT2MS|.
