@@ -274,21 +274,12 @@ class Interface final : public Interaction {
   /// Sums of stiffness over a node, as integers, so that the order does not matter.
   void add_rate(const Touch& touch) {
     if (touch.stiffness == 0.0) return;
-    double row = 1.0;  // half the sum of the shares: between faces some are negative
-    if (touch.faces) {
-      row = 0.0;
-      for (int k = 0; k < 4; ++k) row += 0.5 * (std::abs(touch.wa[k]) + std::abs(touch.wb[k]));
-    }
-    const auto add = [&](Index node, double share) {
-      if (share == 0.0) return;
-      const auto integer =
-          static_cast<std::int64_t>(std::llrint(row * touch.stiffness * std::abs(share) * rate_scale_));
-      std::atomic_ref<std::int64_t>(rates_[static_cast<std::size_t>(node)])
-          .fetch_add(integer, std::memory_order_relaxed);
-    };
-    for (int k = 0; k < 4; ++k) {
-      add(touch.a[k], touch.wa[k]);
-      add(touch.b[k], touch.wb[k]);
+    const std::array<double, 8> rows = half_rows(touch);
+    for (std::size_t k = 0; k < 8; ++k) {
+      if (rows[k] == 0.0) continue;
+      const auto node = static_cast<std::size_t>(k < 4 ? touch.a[k] : touch.b[k - 4]);
+      const auto integer = static_cast<std::int64_t>(std::llrint(std::min(rows[k] * rate_scale_, 0x1p57)));
+      std::atomic_ref<std::int64_t>(rates_[node]).fetch_add(integer, std::memory_order_relaxed);
     }
   }
   /// Gershgorin's bound of the squared frequencies; clears the sums.

@@ -2,6 +2,7 @@
 /// How two faces lie over each other: the polygon they share, seen along their common normal, and the energy
 /// that is in it. Theory: docs/solver/contact.md, section 3.
 
+#include "solver/contact/pair_energy.hpp"
 #include "solver/contact/shadow.hpp"
 
 namespace cleave::solver {
@@ -18,18 +19,10 @@ struct Push {
   double energy = 0.0;      ///< [length^4]
   Vector on_a[4], on_b[4];  ///< minus its gradient: forces on the corners [length^3]
   double normal = 0.0;      ///< their sum on a, along the normal [length^3]
-  double rate = 0.0;        ///< by how much that grows with the depth [length^2]
+  double rate = 0.0;        ///< by how much that grows with the depth, about [length^2]
   double deep_area = 0.0;   ///< where a is behind b [length^2]
   double volume = 0.0;      ///< between the faces there [length^3]
-  double wa[4], wb[4];      ///< values of the corner functions where the sum acts; each sums to 1
-};
-
-/// What the springs between two faces stand on.
-struct Springs {
-  double area;            ///< of face a, at the start: they get no more when it is stretched [length^2]
-  double smaller_area;    ///< of both faces, at the start: what a corner or an edge meets [length^2]
-  double hardening;       ///< a constant depth g has the pressure g (1 + hardening g^2) [1/length^2]
-  double poke_hardening;  ///< the same where a corner or an edge pokes [1/length^2]
+  double wa[4], wb[4];      ///< mean corner functions of the volume between them; each sums to 1
 };
 
 /// Adds the forces of an energy that changes with the normal of a face.
@@ -74,7 +67,9 @@ class Overlap {
   void points(std::vector<SharedPoint>& out) const;
 
  private:
-  static constexpr int batches = 2;  // of corners of the polygon
+  static constexpr int of_b = 4;      // edges of a have their number, those of b theirs and this,
+  static constexpr int of_depth = 8;  // and this is where the depth is that which counts as none
+  static constexpr int batches = 2;   // of corners of the polygon
   static_assert(batches * base::lane_count >= Polygon::most);
 
   void balance(ShadowChange& a, ShadowChange& b) const;

@@ -75,6 +75,64 @@ struct Cone {
   }
 };
 
+/// How wide a polygon is across its long side, from its second moments M around the centroid: of a long strip
+/// w, of a square a / sqrt 2, without a kink between them.
+///     w^2 = 12 det M / (area trace M)
+struct Width {
+  double square = 0.0;  ///< w^2 [length^2]
+
+  void measure(const Polygon& polygon) {
+    // From one corner, along the way to the farthest: so a strip leaves no difference of large numbers.
+    origin_ = polygon.at[0];
+    double far = 0.0;
+    Point along{1.0, 0.0};
+    for (int i = 1; i < polygon.count; ++i) {
+      const Point way{polygon.at[i].x - origin_.x, polygon.at[i].y - origin_.y};
+      const double length2 = way.x * way.x + way.y * way.y;
+      if (length2 > far) far = length2, along = way;
+    }
+    if (!(far > 0.0)) return;
+    const double per = 1.0 / std::sqrt(far);
+    axis_ = {along.x * per, along.y * per};
+    Point last = turned(polygon.at[1]);
+    for (int i = 2; i < polygon.count; ++i) {
+      const Point next = turned(polygon.at[i]);
+      const double part = 0.5 * (last.x * next.y - last.y * next.x);
+      const double x = last.x + next.x, y = last.y + next.y;
+      area_ += part;
+      middle_.x += part * x / 3.0;
+      middle_.y += part * y / 3.0;
+      xx_ += part * (last.x * last.x + next.x * next.x + x * x) / 12.0;
+      yy_ += part * (last.y * last.y + next.y * next.y + y * y) / 12.0;
+      xy_ += part * (last.x * last.y + next.x * next.y + x * y) / 12.0;
+      last = next;
+    }
+    if (!(area_ > 0.0)) return;
+    middle_ = {middle_.x / area_, middle_.y / area_};
+    xx_ -= area_ * middle_.x * middle_.x;
+    yy_ -= area_ * middle_.y * middle_.y;
+    xy_ -= area_ * middle_.x * middle_.y;
+    determinant_ = xx_ * yy_ - xy_ * xy_;
+    if (determinant_ > 0.0) square = 12.0 * determinant_ / (area_ * (xx_ + yy_));
+  }
+  /// By how much w^2 grows per area that is added at a place [-].
+  double change(const Point& at) const {
+    if (!(square > 0.0)) return 0.0;
+    Point d = turned(at);
+    d = {d.x - middle_.x, d.y - middle_.y};
+    const double of_determinant = yy_ * d.x * d.x + xx_ * d.y * d.y - 2.0 * xy_ * d.x * d.y;
+    return square * (of_determinant / determinant_ - (d.x * d.x + d.y * d.y) / (xx_ + yy_) - 1.0 / area_);
+  }
+
+ private:
+  Point turned(const Point& p) const {
+    const double x = p.x - origin_.x, y = p.y - origin_.y;
+    return {x * axis_.x + y * axis_.y, y * axis_.x - x * axis_.y};
+  }
+  Point origin_{0.0, 0.0}, axis_{1.0, 0.0}, middle_{0.0, 0.0};
+  double area_ = 0.0, xx_ = 0.0, yy_ = 0.0, xy_ = 0.0, determinant_ = 0.0;
+};
+
 /// Sums over points of the change with the gap times what the gap depends on.
 struct Gathered {
   base::Lanes z[4] = {0.0, 0.0, 0.0, 0.0}, x[4] = {0.0, 0.0, 0.0, 0.0}, y[4] = {0.0, 0.0, 0.0, 0.0};

@@ -1,6 +1,10 @@
 #pragma once
 /// One place where two sides meet, and who finds such places.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "solver/contact/surface.hpp"
 #include "solver/interaction.hpp"
 
@@ -22,6 +26,7 @@ struct Touch {
   double offset = 0.0;       ///< depth that counts as none; `out_of_reach`: the pair does not push [length]
   double penetration = 0.0;  ///< as depth, but square to what lies there [length]
   double push = 0.0;         ///< the pressure along the normal [force]
+  double energy = 0.0;       ///< whose gradient the parts of the pressure are [energy]
   Vector on_a[4], on_b[4];   ///< its parts [force]
   Vector pressure{0, 0, 0}, friction{0, 0, 0}, viscous{0, 0, 0};  ///< forces on a, filled in later [force]
 };
@@ -57,6 +62,29 @@ inline double pressure_dot(const Touch& touch, std::span<const double> field) {
     sum += base::dot(touch.on_a[k], vector_at(field, touch.a[k])) +
            base::dot(touch.on_b[k], vector_at(field, touch.b[k]));
   return sum;
+}
+
+/// Half the sums of the rows of a matrix that bounds the second derivative of the energy of a touch, for the
+/// corners of a and then those of b [force/length]. The stiffness along the normal acts by the weights.
+/// Between faces the force tells the rest: where an energy U grows with the power p of a motion, its second
+/// derivative along the force F is 2 (p - 1) / p times F^2 / (2 U); p is 2 for a spring, and 4 for a corner
+/// whose area grows as it goes in.
+inline std::array<double, 8> half_rows(const Touch& touch) {
+  constexpr double bent = 1.5;  // p = 4
+  std::array<double, 8> rows{};
+  double all = 0.0;
+  if (touch.faces && touch.energy > 0.0) {
+    for (int k = 0; k < 4; ++k) all += norm(touch.on_a[k]) + norm(touch.on_b[k]);
+    all *= 0.25 * bent / touch.energy;
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    rows[k] = touch.stiffness * std::abs(touch.wa[k]);
+    rows[4 + k] = touch.stiffness * std::abs(touch.wb[k]);
+    if (all == 0.0) continue;
+    rows[k] = std::max(rows[k], norm(touch.on_a[k]) * all);
+    rows[4 + k] = std::max(rows[4 + k], norm(touch.on_b[k]) * all);
+  }
+  return rows;
 }
 
 /// What an interface remembers of a touch.

@@ -458,7 +458,7 @@ def bounce(name):
     # Of 2.4 in all. SOFT 1 changes its stiffness with the place on the face.
     most = 0.047 if name == "soft" else 0.012
     deck.says("expect", f"normal_energy id=1 file=sleout min  0.0  abs={most} (order: contact creates at most that)")
-    flight = {"nodes": 8.3, "soft": 8.04, "segments": 8.3}[name]
+    flight = {"nodes": 8.3, "soft": 8.04, "segments": 8.2}[name]
     deck.says("expect", f"normal_energy id=1 file=sleout time={flight}  0.0  abs={most} (order: in flight nothing is left "
               "in it)")
     deck.says("expect", "normal_energy id=1 file=sleout max  5.0  abs=3.0 (model: in the middle of a bounce)")
