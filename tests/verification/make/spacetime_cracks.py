@@ -44,6 +44,7 @@ def crack_plate(name, half_width, coarse, fine, growth, degree, whole):
         for share, of_root in ((1.5, 0.7209), (2.0, 1.0195), (3.0, 1.4418)):
             deck.says("expect", f"K_I file=crack_tip id={tip} time={share * arrival:.10g}  {of_root * stress * math.sqrt(height):.6g}  "
                       f"rel=0.01 (order: Freund's, {share:g} arrivals, {of_root:g} of s sqrt(2 m))")
+        deck.says("slow", "")
     near_tip = (3 * fine, 8 * fine)
     if not whole:
         deck.says("analyse", f"crack_intensity.py {near_tip[0]:g} {near_tip[1]:g}")

@@ -39,6 +39,7 @@ def centre_crack(name, coarse, fine, growth, degree):
         deck.says("expect", f"K_I file=crack_tip id={tip} time={t * 1e-3:g}  {k * unit:.6g}  abs={0.03 * 2.668 * unit:.3g} "
                   f"(order: {k:g} of s sqrt(pi a), to 3 per cent of the largest)")
     peak(deck, tip, 2.668 * unit, 6.82e-3, 0.02, 0.02)
+    deck.says("slow", "")
     common(deck, 0.0101, degree=degree, interval=1e-4)
     deck.card("DATABASE_NODOUT", [5e-5])
     deck.card("SECTION_SHELL_SDG", [1])
@@ -119,6 +120,7 @@ def cavity(name, cells, degree):
         deck.says("expect", f"hoop file=hoop_at_wall time={t:g}  {hoop:g}  abs=0.01 (order)")
         deck.says("expect", f"x_displacement node={wall} time={t:g}  {u:g}  rel=0.005 (order)")
     deck.says("expect", "hoop file=hoop_at_wall max  1.2553  rel=0.005 (order: the largest, at 4.1)")
+    deck.says("slow", "")
     common(deck, 20.0, degree=degree, interval=0.25, nodes=[wall], parts=3)
     deck.card("DATABASE_BINARY_D3PLOT", [0.25])
     deck.card("SECTION_SHELL_SDG", [1, 13])
@@ -182,6 +184,7 @@ def pushed_penny(name, width, coarse, fine, growth, degree, end, times, angle=ma
         for tip in tips:
             deck.says("expect", f"K_I file=crack_tip id={tip} max  {1.28 * static:.6g}  rel={0.1 if end > 4 else 0.06:g} "
                       "(model: the largest, which the reference has to 4 per cent)")
+        deck.says("slow", "")
     common(deck, end, degree=degree, interval=0.05)
     deck.card("DATABASE_NODOUT", [0.025])
     deck.card("SECTION_SOLID_SDG", [1])
