@@ -34,15 +34,15 @@ std::string mesh(const std::vector<Row>& rows) {
   return nodes + elements;
 }
 
-constexpr double young = 10.0, poisson = 0.25, depth = 0.1, way = 3.3;
+constexpr double young = 10.0, poisson = 0.25, depth = 0.3, way = 3.3;
 
 /// While it slides.
 struct Pressed {
   double least_force = 1e300, most_force = 0.0, least_area = 1e300, most_area = 0.0;
 };
 
-/// A rigid slider (part 2) of two faces is pressed 0.1 deep onto a rigid track (part 1), and then drawn along
-/// it over three of its faces, in steps of a twentieth of the depth. The nodes of one half of the track are
+/// A rigid slider (part 2) of two faces is pressed 0.3 deep onto a rigid track (part 1), and then drawn along
+/// it over three of its faces, in steps of a sixtieth of the depth. The nodes of one half of the track are
 /// numbered below those of the slider, those of the other above.
 /// @param forwards  from the first half to the second
 Pressed slide(const std::string& contact, bool forwards) {
@@ -80,7 +80,7 @@ Pressed slide(const std::string& contact, bool forwards) {
 // named first, and in a single surface, where pairs are kept by the lower number of their faces.
 TEST(ContactHandingOn, PressureStaysWhileFacesChange) {
   const double bulk = young / (3.0 * (1.0 - 2.0 * poisson));
-  const double area = 2 * 0.8 * 0.9, wanted = 4.0 * 0.1 * bulk * depth * 2.0 * area;
+  const double area = 2 * 0.8 * 0.9, wanted = 4.0 * 0.1 * bulk * depth * (1.0 + 100.0 * depth * depth) * area;
   for (const std::string contact : {"*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,3\n0\n\n2,0.1\n",
                                     "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n0\n\n2,0.1\n",
                                     "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n0\n\n2,0.1\n"})

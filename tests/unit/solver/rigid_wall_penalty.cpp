@@ -49,19 +49,32 @@ TEST(RigidWallPenalty, BoxBouncesOnAnEdge) {
   EXPECT_LT(run.most_energy - run.least_energy, 2e-4 * run.most_energy);  // order: the nodes' way is a chord
 }
 
-// At rest the mean force is the weight; it swings from 0 to twice the depth W / k, k = 0.1 m / dt^2 of four
-// nodes that together have a sixth of the mass.
+// At rest the mean force is the weight; it swings from 0 to twice the depth W / k, k = 0.1 RWPNAL m / dt^2 of
+// four nodes that together have a sixth of the mass.
 TEST(RigidWallPenalty, BoxRestsUnderItsWeight) {
-  double sum = 0.0, deepest = 0.0;
-  const BodyRun run(over_wall("1.0", "5.0", "0,0,0,0,0,0", "*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1\n" + gravity),
-                    0, [&](const Frame& frame) {
-                      sum += frame.walls[0].normal * frame.state.next_step;
-                      deepest = std::min(deepest, frame.state.position[2]);
-                    });
-  const double swing = std::sqrt(0.1 * 2.0 / 1e-4 / 12.0) * run.state.time;
-  EXPECT_NEAR(sum / run.state.time, 120.0 * (1.0 - std::sin(swing) / swing), 0.3);
-  EXPECT_NEAR(deepest, -2.0 * 120.0 / (0.1 * 2.0 / 1e-4), 0.002);
-  EXPECT_LT(run.most_energy - run.least_energy, 1e-10 * std::abs(run.most_energy) + 1e-9);
+  for (const double scale : {1.0, 2.0}) {
+    double sum = 0.0, deepest = 0.0;
+    const BodyRun run(over_wall(std::to_string(scale), "5.0", "0,0,0,0,0,0",
+                                "*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1\n" + gravity),
+                      0, [&](const Frame& frame) {
+                        sum += frame.walls[0].normal * frame.state.next_step;
+                        deepest = std::min(deepest, frame.state.position[2]);
+                      });
+    const double stiffness = 0.1 * scale * 2.0 / 1e-4, swing = std::sqrt(stiffness / 12.0) * run.state.time;
+    EXPECT_NEAR(sum / run.state.time, 120.0 * (1.0 - std::sin(swing) / swing), 0.5);
+    EXPECT_NEAR(deepest, -2.0 * 120.0 / stiffness, 0.002);
+    EXPECT_LT(run.most_energy - run.least_energy, 1e-10 * std::abs(run.most_energy) + 1e-9);
+  }
+}
+
+// What lies behind at the start may leave freely; if it goes deeper it comes back.
+TEST(RigidWallPenalty, BehindAtTheStart) {
+  const std::string above = "*RIGIDWALL_PLANAR\n0\n0,0,0.1,0,0,1\n";
+  const BodyRun leaves(over_wall("1.0", "1.0", "0,0,0.5,0,0,0", above));
+  EXPECT_NEAR(leaves.last.velocity[2], 0.5, 1e-13);
+  EXPECT_NEAR(leaves.last.displacement[2], 0.5 * leaves.state.time, 1e-12);
+  const BodyRun deeper(over_wall("1.0", "1.0", "0,0,-0.5,0,0,0", above));
+  EXPECT_NEAR(deeper.last.velocity[2], 0.5, 0.005);
 }
 
 // Sliding to rest: v^2 / 2 mu g, the heat is what it had.
@@ -112,6 +125,14 @@ TEST(RigidWallPenalty, PassesBesideAWallThatEnds) {
                               "*RIGIDWALL_PLANAR_FINITE\n0\n2,0,-0.1,2,0,1\n3,0,-0.1,1,1\n"));
   EXPECT_NEAR(run.last.velocity[2], -2.0, 1e-13);
   EXPECT_NEAR(run.last.displacement[2], -4.0, 1e-9);
+  // Nor does what comes from below meet one right above it.
+  const BodyRun below(over_wall("1.0", "2.0", "0,0,2.0,0,0,0",
+                                "*RIGIDWALL_PLANAR_FINITE\n0\n-1,-1,3.5,-1,-1,4\n9,-1,3.5,9,9\n"));
+  EXPECT_NEAR(below.last.velocity[2], 2.0, 1e-13);
+  EXPECT_NEAR(below.last.displacement[2], 4.0, 1e-9);
+  const BodyRun above(over_wall("1.0", "2.0", "0,0,-2.0,0,0,0",
+                                "*RIGIDWALL_PLANAR_FINITE\n0\n-1,-1,-0.1,-1,-1,4\n9,-1,-0.1,9,9\n"));
+  EXPECT_NEAR(above.last.velocity[2], 2.0, 0.01);  // but what comes from above does
 }
 
 TEST(RigidWallPenalty, WithoutItBodiesPassWithAWarning) {
@@ -121,9 +142,10 @@ TEST(RigidWallPenalty, WithoutItBodiesPassWithAWarning) {
   EXPECT_TRUE(BodyRun(over_wall("9.0", "1.0", "0,0,0,0,0,0", plane)).says("expected -5 to 5"));
 }
 
-// RWPNAL below 0: nodes that deform are met by springs as well, so a single one bounces.
+// RWPNAL below 0: nodes of no rigid body are met by springs as well, so a single one bounces; else the wall
+// stops it.
 TEST(RigidWallPenalty, AllNodesByPenalty) {
-  for (const double scale : {0.0, -1.0}) {
+  for (const double scale : {0.0, 1.0, -1.0}) {
     Rig rig;
     const Index a = rig.particle(3.0, {0, 0, 1.0}, {1, 0, -2});
     model::RigidWall wall;
