@@ -60,8 +60,11 @@ class Messages final : public Writer {
   void finish(const Snapshot& now, solver::Ending ending, const discretisation::StepStatus& status) override {
     std::string lines = "\n";
     if (!status.ok) {
-      append_format(lines, " *** Error: solid element%10lld: %s\n", static_cast<long long>(status.element),
-                    status.what.c_str());
+      lines += " *** Error: ";
+      if (status.element > 0)
+        append_format(lines, "%selement%10lld: ", kind_of(status).c_str(),
+                      static_cast<long long>(status.element));
+      lines += status.what + '\n';
       if (!status.likely_cause.empty()) lines += "     " + status.likely_cause + '\n';
     }
     lines += " the run ended because " + std::string(describe(ending)) + '\n';
@@ -76,6 +79,18 @@ class Messages final : public Writer {
   std::vector<double> remember() const override { return {clock_.next(), added_mass_}; }
 
  private:
+  /// "solid ", "shell " or "beam "; empty for an element that the mesh does not have. Each kind has numbers
+  /// of its own, so one may be of several kinds; then its part decides.
+  std::string kind_of(const discretisation::StepStatus& status) const {
+    using model::ElementKind;
+    for (const ElementKind kind : {ElementKind::solid, ElementKind::shell, ElementKind::beam})
+      for (const model::Elements& group : context_.model.mesh.elements(kind))
+        for (std::size_t e = 0; e < group.count(); ++e)
+          if (group.id[e] == status.element && (status.part < 0 || group.part[e] == status.part))
+            return std::string(model::name_of(kind)) + ' ';
+    return {};
+  }
+
   void course(const Snapshot& now) {
     now.evaluate(solver::energies);
     std::string what;

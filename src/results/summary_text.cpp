@@ -38,11 +38,10 @@ void append_part(std::string& out, const model::Part& part, double mass, const E
   append_format(out, "\npart %lld  %s: %zu elements, mass %.6g", static_cast<long long>(part.id),
                 part.title.c_str(), before.elements, mass);
   if (after.elements < before.elements) append_format(out, ", %zu eroded", before.elements - after.elements);
-  const bool any = round(before, axes, 0) || round(before, axes, 1) || round(before, axes, 2);
+  const bool diameters = round(before, axes, 0) || round(before, axes, 1) || round(before, axes, 2);
   out += "\n  axis      length before        after   change";
-  out += any ? "    diameter before        after   change\n" : "\n";
+  out += diameters ? "    diameter before        after   change\n" : "\n";
   const auto change = [](double from, double to) { return from > 0.0 ? 100.0 * (to / from - 1.0) : 0.0; };
-  bool mirrored = false;
   for (int k = 0; k < 3; ++k) {
     append_format(out, "  %c          %12.6g %12.6g %+7.2f%%", "xyz"[k], before.length(k), after.length(k),
                   change(before.length(k), after.length(k)));
@@ -53,14 +52,13 @@ void append_part(std::string& out, const model::Part& part, double mass, const E
                       change(before.diameter[k], after.diameter[k]));
       else
         out += "  off its axis";
-      mirrored = true;
     }
     out += '\n';
   }
   for (int k = 0; k < 3; ++k)
     if (axes.symmetry[k])
       append_format(out, "  symmetric about the plane %c = %.6g%s\n", "xyz"[k], axes.centre[k],
-                    mirrored ? "; the diameters count the other half" : "");
+                    diameters ? "; the diameters count the other half" : "");
 }
 
 }  // namespace

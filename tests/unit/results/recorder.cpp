@@ -176,6 +176,25 @@ TEST(Recorder, WritesNoRestartOfAFailedState) {
   EXPECT_NE(log.find("E r r o r   t e r m i n a t i o n"), std::string::npos);
 }
 
+TEST(Recorder, NamesTheKindOfElementThatFailed) {
+  const auto said = [](model::Id element, model::Index part) {
+    SmallRun run("kind");
+    run.model.mesh.shells.push_back({model::Shape::quad4, {2, 7}, {1, 1}, {0, 1, 2, 3, 4, 5, 6, 7}});
+    Recorder recorder(run.model, run.options());
+    recorder.begin(run.frame());
+    recorder.finish(run.frame(), solver::Ending::physics, {false, part, element, "it failed", ""});
+    const std::string log = run.text("messag");
+    const std::size_t at = log.find("*** Error: ");
+    return log.substr(at, log.find('\n', at) - at);
+  };
+  const model::Index own = SmallRun("part").model.mesh.solids.at(0).part.at(1);
+  EXPECT_EQ(said(2, -1), "*** Error: solid element         2: it failed");
+  EXPECT_EQ(said(2, own), "*** Error: solid element         2: it failed");
+  EXPECT_EQ(said(7, -1), "*** Error: shell element         7: it failed");
+  EXPECT_EQ(said(99, -1), "*** Error: element        99: it failed");
+  EXPECT_EQ(said(0, -1), "*** Error: it failed");  // of no element: a contact
+}
+
 TEST(Recorder, LogsDeletionsMassScalingAndTheEnd) {
   SmallRun run("log");
   Recorder recorder(run.model, run.options());

@@ -9,19 +9,13 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "../same_bits.hpp"
 #include "small_run.hpp"
 
 namespace cleave::results::test {
 namespace {
 
-bool same_bits(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
-template <class Array>
-bool same_bits(const Array& a, const Array& b) {
-  return a.size() == b.size() &&
-         (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
+using cleave::test::same_bits;
 
 class RestartFile : public testing::Test {
  protected:

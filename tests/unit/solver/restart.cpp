@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "../same_bits.hpp"
 #include "rig.hpp"
 
 namespace cleave::solver::test {
@@ -56,23 +57,19 @@ struct Everything : Rig {
   }
 };
 
-bool same(const base::Array<double>& a, const base::Array<double>& b) {
-  return a.size() == b.size() &&
-         (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
-
 void expect_same(const State& a, const State& b) {
   EXPECT_EQ(a.cycle, b.cycle);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.next_step, b.next_step);
-  EXPECT_TRUE(same(a.position, b.position));
-  EXPECT_TRUE(same(a.velocity, b.velocity));
-  EXPECT_TRUE(same(a.mass, b.mass));
+  EXPECT_TRUE(cleave::test::same_bits(a.position, b.position));
+  EXPECT_TRUE(cleave::test::same_bits(a.velocity, b.velocity));
+  EXPECT_TRUE(cleave::test::same_bits(a.mass, b.mass));
   EXPECT_EQ(std::memcmp(&a.energy, &b.energy, sizeof a.energy), 0);
   ASSERT_EQ(a.memory.size(), b.memory.size());
   for (std::size_t m = 0; m < a.memory.size(); ++m)
-    EXPECT_TRUE(same(a.memory[m].values, b.memory[m].values)) << a.memory[m].name;
-  for (std::size_t k = 0; k < a.blocks.size(); ++k) EXPECT_TRUE(same(a.blocks[k].alive, b.blocks[k].alive));
+    EXPECT_TRUE(cleave::test::same_bits(a.memory[m].values, b.memory[m].values)) << a.memory[m].name;
+  for (std::size_t k = 0; k < a.blocks.size(); ++k)
+    EXPECT_TRUE(cleave::test::same_bits(a.blocks[k].alive, b.blocks[k].alive));
 }
 
 TEST(Restart, SameBitsFromAnyCycle) {
