@@ -1,28 +1,16 @@
 #pragma once
 /// Runs of deck text with rigid bodies.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "deck/deck.hpp"
-#include "solver/interaction.hpp"
-#include "solver/solver.hpp"
+#include "deck_run.hpp"
 
 namespace cleave::solver::test {
 
-using model::Vector;
-
-/// A run of deck text.
-struct BodyRun final : Observer {
-  deck::Diagnostics diagnostics;
-  model::Account account;
-  model::Model model;
-  discretisation::World world;
-  discretisation::State state;
-  Outcome outcome;
+/// A run that keeps what its first body does.
+struct BodyRun final : DeckRun, Observer {
   BodyMotion first, last;
   /// Least and most of what is there less what came in [energy].
   double least_energy = 1e300, most_energy = -1e300, most_momentum = 0.0;
@@ -32,17 +20,7 @@ struct BodyRun final : Observer {
   explicit BodyRun(const std::string& text, std::int64_t stop = 0,
                    std::function<void(const Frame&)> look_at = nullptr)
       : look(std::move(look_at)) {
-    const deck::Deck deck = deck::Deck::read_text(text + "*END\n", "test.k", {}, diagnostics);
-    model = model::build(deck, {}, diagnostics, account);
-    if (diagnostics.failed()) return;
-    join_ties(model, diagnostics);
-    world = discretisation::build(model, diagnostics);
-    const auto solver = make_explicit(world, {stop}, diagnostics);
-    if (diagnostics.failed()) return;
-    EXPECT_TRUE(discretisation::initialise(world, state).ok);
-    Wishes wishes;
-    Observer* const observers[] = {this};
-    outcome = solver->advance(state, observers, wishes);
+    run(text, stop, this);
   }
   void begin(const Frame& frame) override {
     first = frame.bodies.empty() ? BodyMotion{} : frame.bodies[0];
@@ -59,16 +37,6 @@ struct BodyRun final : Observer {
   }
   void finish(const Frame&, Ending, const discretisation::StepStatus&) override {}
 
-  bool says(std::string_view phrase, deck::Severity severity = deck::Severity::error) const {
-    for (const auto& d : diagnostics.all())
-      if (d.severity == severity && d.message.find(phrase) != std::string::npos) return true;
-    return false;
-  }
-  std::string text() const {
-    std::string all;
-    for (const auto& d : diagnostics.all()) all += d.keyword + " " + d.field + ": " + d.message + "\n";
-    return all;
-  }
   double distance(std::size_t a, std::size_t b) const {
     double square = 0.0;
     for (std::size_t i = 0; i < 3; ++i)

@@ -1,68 +1,9 @@
 /// Bodies that meet: conservation, bad input, what ends a run.
 
-#include <gtest/gtest.h>
-
-#include "deck/deck.hpp"
-#include "solver/interaction.hpp"
-#include "solver/solver.hpp"
+#include "deck_run.hpp"
 
 namespace cleave::solver::test {
 namespace {
-
-using discretisation::State;
-using model::Vector;
-
-/// A run of deck text.
-struct DeckRun {
-  deck::Diagnostics diagnostics;
-  model::Account account;
-  model::Model model;
-  discretisation::World world;
-  State state;
-  Outcome outcome;
-
-  explicit DeckRun(const std::string& text, std::int64_t stop = 0, Observer* observer = nullptr) {
-    const deck::Deck deck = deck::Deck::read_text(text + "*END\n", "test.k", {}, diagnostics);
-    model = model::build(deck, {}, diagnostics, account);
-    if (diagnostics.failed()) return;
-    move_apart(model, diagnostics);
-    world = discretisation::build(model, diagnostics);
-    const auto solver = make_explicit(world, {stop}, diagnostics);
-    if (diagnostics.failed()) return;
-    EXPECT_TRUE(discretisation::initialise(world, state).ok);
-    Wishes wishes;
-    std::vector<Observer*> observers;
-    if (observer) observers.push_back(observer);
-    outcome = solver->advance(state, observers, wishes);
-  }
-  std::string text() const {
-    std::string all;
-    for (const auto& d : diagnostics.all()) all += d.field + ": " + d.message + "\n";
-    return all;
-  }
-  bool says(deck::Severity severity, std::string_view phrase) const {
-    for (const auto& d : diagnostics.all())
-      if (d.severity == severity && d.message.find(phrase) != std::string::npos) return true;
-    return false;
-  }
-
-  Vector momentum() const {
-    Vector sum{0, 0, 0};
-    for (std::size_t a = 0; a < state.mass.size(); ++a)
-      sum = sum + state.mass[a] *
-                      Vector{state.velocity[3 * a], state.velocity[3 * a + 1], state.velocity[3 * a + 2]};
-    return sum;
-  }
-  /// With the half-step velocity, for which it is conserved exactly.
-  Vector spin() const {
-    Vector sum{0, 0, 0};
-    for (std::size_t a = 0; a < state.mass.size(); ++a) {
-      const double *x = &state.position[3 * a], *v = &state.velocity[3 * a];
-      sum = sum + state.mass[a] * base::cross(Vector{x[0], x[1], x[2]}, Vector{v[0], v[1], v[2]});
-    }
-    return sum;
-  }
-};
 
 double size(const Vector& v) {
   return std::sqrt(base::dot(v, v));
@@ -214,13 +155,13 @@ TEST(Contact, InitialPenetration) {
   };
   for (const int soft : {0, 1, 2}) {
     const DeckRun run(two(-0.02) + contact("AUTOMATIC_SURFACE_TO_SURFACE", soft));
-    EXPECT_TRUE(run.says(deck::Severity::warning, "penetrate at the start, by up to 0.02")) << run.text();
+    EXPECT_TRUE(run.says("penetrate at the start, by up to 0.02", deck::Severity::warning)) << run.text();
     EXPECT_LT(run.state.energy.kinetic, 1e-20);
   }
   EXPECT_FALSE(DeckRun(two(0.02) + contact("AUTOMATIC_SURFACE_TO_SURFACE", 0))
-                   .says(deck::Severity::warning, "penetrate"));
+                   .says("penetrate", deck::Severity::warning));
   const DeckRun deep(two(-0.5) + contact("AUTOMATIC_SURFACE_TO_SURFACE", 0));
-  EXPECT_TRUE(deep.says(deck::Severity::error, "lies deep in element")) << deep.text();
+  EXPECT_TRUE(deep.says("lies deep in element", deck::Severity::error)) << deep.text();
 }
 
 // IGNORE 0 moves nodes to the surface; 1 and 2 leave them, and 2 lists them with a warning.
@@ -247,11 +188,11 @@ TEST(Contact, IgnoreSaysWhatIsDoneAboutPenetration) {
   EXPECT_NEAR(deepest(moved), 0.02, 1e-12);
   EXPECT_EQ(deepest(tracked), 0.0);
   EXPECT_EQ(deepest(listed), 0.0);
-  EXPECT_TRUE(moved.says(deck::Severity::warning, "penetrate at the start, by up to 0.02")) << moved.text();
-  EXPECT_FALSE(tracked.says(deck::Severity::warning, "penetrate"));
-  EXPECT_TRUE(tracked.says(deck::Severity::note, "penetrate at the start")) << tracked.text();
-  EXPECT_TRUE(listed.says(deck::Severity::warning, "node (depth): ")) << listed.text();
-  EXPECT_FALSE(listed.says(deck::Severity::warning, "and others"));
+  EXPECT_TRUE(moved.says("penetrate at the start, by up to 0.02", deck::Severity::warning)) << moved.text();
+  EXPECT_FALSE(tracked.says("penetrate", deck::Severity::warning));
+  EXPECT_TRUE(tracked.says("penetrate at the start", deck::Severity::note)) << tracked.text();
+  EXPECT_TRUE(listed.says("node (depth): ", deck::Severity::warning)) << listed.text();
+  EXPECT_FALSE(listed.says("and others", deck::Severity::warning));
 }
 
 // Bodies that are far faster than the step allows go deep into springs that nobody pressed: the run stops and
@@ -358,7 +299,7 @@ TEST(Contact, BadInputIsNamed) {
       head(0.1) + cube(1, {0, 0, 0}, 0, 0, {0, 0, 0}, 0.0) + cube(2, {1.1, 0, 0}, 0, 0, {0, 0, 0}, 0.0);
   const auto error = [&](const std::string& text, std::string_view phrase) {
     const DeckRun run(bodies + text);
-    EXPECT_TRUE(run.says(deck::Severity::error, phrase)) << run.text();
+    EXPECT_TRUE(run.says(phrase, deck::Severity::error)) << run.text();
   };
   error("*CONTACT_SURFACE_TO_SURFACE\n1,2,3,3\n-0.1\n\n", "expected 0 or more");
   error("*CONTACT_SURFACE_TO_SURFACE\n1,3,3,3\n\n\n*PART\nempty\n3,1,1\n", "no surface");
