@@ -116,6 +116,8 @@ FAMILIES = {
         "spacetime_fibres": [("EA", "*MAT_ORTHOTROPIC_ELASTIC", 0, 2, 1.1), ("PRCB", "*MAT_ORTHOTROPIC_ELASTIC", 0, 7, 1.2)],
         "spacetime_mixed": [E_OF(1.2)],
         "spacetime_pushed_crack": [("PR", "*MAT_ELASTIC", 0, POISSON, 0.8), LOAD_CURVE(1.05)],
+        "spacetime_pushed_crack_one_field": [LOAD_CURVE(1.05)],
+        "spacetime_pushed_crack_three_fields": [LOAD_CURVE(1.05)],
         "spacetime_pushed_penny": [E_OF(1.2), LOAD_CURVE(1.1)],
         "spacetime_pushed_penny_early": [E_OF(1.2), LOAD_CURVE(1.1)],
         "spacetime_repeat": [E_OF(1.2), LOAD_CURVE(1.2)],

@@ -64,20 +64,21 @@ def crack_edges(mesh, test):
     return [[n[k], n[(k + 1) % 3]] for _, n in mesh.elements for k in range(3) if {n[k], n[(k + 1) % 3]} <= inside]
 
 
-def pushed_crack(name, width, coarse, fine, growth, degree, end):
+def pushed_crack(name, width, coarse, fine, growth, degree, end, space=3):
     """I03 in the plane: the faces of a crack two long are pushed apart suddenly; half of a large body, silent outside."""
     nu = 0.25
     size = lambda x, y: max(fine, min(coarse, growth * math.hypot(x - 1.0, y)))
     mesh = Triangles((0.0, -width), (width, width), (round(width), round(2 * width)), size).mesh()
     deck = Deck(name, "Crack under sudden pressure")
     tip = node_at(mesh, 1.0, 0.0)
-    deck.says("case", "stress intensity of a crack in a large body whose faces are pushed apart suddenly")
+    what = {1: "one field", 2: "three fields", 3: "Trefftz functions"}[space]
+    deck.says("case", f"stress intensity of a crack in a large body whose faces are pushed apart suddenly; {what}")
     deck.says("source", "Freund (1990), section 2.4, until waves from the other tip arrive; then catalogue I03: largest 1.30 of static at 3.9")
     for t in (0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0):
         deck.says("expect", f"K_I file=crack_tip id={tip} time={t:g}  {intensity(nu, 1.0, t):.6g}  rel=0.02 (order: of a semi-infinite crack)")
     deck.says("expect", f"K_II file=crack_tip id={tip} peak  0.0  abs=0.01 (order: nothing slides)")
     peak(deck, tip, 1.30 * math.sqrt(math.pi), 3.9, 0.02, 0.04)
-    common(deck, end, degree=degree, interval=0.05)
+    common(deck, end, space, degree, interval=0.05)
     deck.card("DATABASE_NODOUT", [0.025])
     deck.card("SECTION_SHELL_SDG", [1])
     deck.part(1, 1, 1)
@@ -94,7 +95,9 @@ def pushed_crack(name, width, coarse, fine, growth, degree, end):
     return deck
 
 
-CASES["spacetime_pushed_crack"] = lambda: pushed_crack("spacetime_pushed_crack", 3.0, 0.5, 0.03125, 0.5, 3, 4.5)
+for _name, _space, _degree in (("spacetime_pushed_crack", 3, 3), ("spacetime_pushed_crack_one_field", 1, 3),
+                               ("spacetime_pushed_crack_three_fields", 2, 2)):
+    CASES[_name] = lambda name=_name, space=_space, degree=_degree: pushed_crack(name, 3.0, 0.5, 0.03125, 0.5, degree, 4.5, space)
 
 
 # Catalogue D04, nu = 1/4: c_d t/a, hoop stress at the wall over the pressure, u (lambda + 2 mu)/(p a).
