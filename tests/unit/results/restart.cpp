@@ -9,13 +9,13 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "../same_bits.hpp"
+#include "../base/same_bits.hpp"
 #include "small_run.hpp"
 
 namespace cleave::results::test {
 namespace {
 
-using cleave::test::same_bits;
+using base::test::same_bits;
 
 class RestartFile : public testing::Test {
  protected:

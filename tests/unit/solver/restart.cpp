@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "../same_bits.hpp"
+#include "../base/same_bits.hpp"
 #include "rig.hpp"
 
 namespace cleave::solver::test {
@@ -61,15 +61,15 @@ void expect_same(const State& a, const State& b) {
   EXPECT_EQ(a.cycle, b.cycle);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.next_step, b.next_step);
-  EXPECT_TRUE(cleave::test::same_bits(a.position, b.position));
-  EXPECT_TRUE(cleave::test::same_bits(a.velocity, b.velocity));
-  EXPECT_TRUE(cleave::test::same_bits(a.mass, b.mass));
+  EXPECT_TRUE(base::test::same_bits(a.position, b.position));
+  EXPECT_TRUE(base::test::same_bits(a.velocity, b.velocity));
+  EXPECT_TRUE(base::test::same_bits(a.mass, b.mass));
   EXPECT_EQ(std::memcmp(&a.energy, &b.energy, sizeof a.energy), 0);
   ASSERT_EQ(a.memory.size(), b.memory.size());
   for (std::size_t m = 0; m < a.memory.size(); ++m)
-    EXPECT_TRUE(cleave::test::same_bits(a.memory[m].values, b.memory[m].values)) << a.memory[m].name;
+    EXPECT_TRUE(base::test::same_bits(a.memory[m].values, b.memory[m].values)) << a.memory[m].name;
   for (std::size_t k = 0; k < a.blocks.size(); ++k)
-    EXPECT_TRUE(cleave::test::same_bits(a.blocks[k].alive, b.blocks[k].alive));
+    EXPECT_TRUE(base::test::same_bits(a.blocks[k].alive, b.blocks[k].alive));
 }
 
 TEST(Restart, SameBitsFromAnyCycle) {

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-namespace cleave::test {
+namespace cleave::base::test {
 
 inline bool same_bits(double a, double b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
@@ -15,4 +15,4 @@ bool same_bits(const Array& a, const Array& b) {
          (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
-}  // namespace cleave::test
+}  // namespace cleave::base::test
