@@ -98,5 +98,31 @@ TEST(ContactHandingOn, PressureStaysWhileFacesChange) {
     }
 }
 
+// A slider comes past the end of the track and down below its top within one step: nobody hands it anything,
+// yet it is no deeper than it came. From then on it pushes on the top, of which it covers 0.4 in the end, and
+// against the end as well, 0.05 of which it covers: it came by the corner.
+TEST(ContactHandingOn, FromTheSideAndFromAboveAtOnce) {
+  double force = 0.0, area = 0.0;
+  const BodyRun run(
+      "*KEYWORD\n*CONTROL_TERMINATION\n0.2\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,3\n*MAT_RIGID\n1,1.0,10.0,0.25\n"
+      "1,7,7\n\n*MAT_RIGID\n2,1.0,10.0,0.25\n1,2,7\n\n*SECTION_SOLID\n1,1\n*PART\ntrack\n1,1,1\n"
+      "*PART\nslider\n2,1,2\n" +
+          mesh({{1, 1, 4, 0.0, 1.0, 0.0, 1.0, -1.0, 1.0, 101},
+                {2, 11, 2, 4.01, 0.8, 0.05, 0.9, 0.01, 1.0, 201}}) +
+          "*DEFINE_CURVE\n1\n0,0\n0.1,0\n0.106,-0.06\n9,-0.06\n*DEFINE_CURVE\n2\n0,0\n0.1,0\n0.141,-0.41\n9,-"
+          "0.41\n"
+          "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n2,3,2,1,1.0\n2,1,2,2,1.0\n*DEFINE_CURVE\n3\n0,1.5e-3\n2,1.5e-"
+          "3\n"
+          "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,3\n0\n\n2,0.1\n",
+      0, [&](const Frame& frame) {
+        force = std::abs(frame.interfaces[0].force[2]), area = frame.interfaces[0].area;
+      });
+  ASSERT_FALSE(run.diagnostics.failed()) << run.text();
+  EXPECT_EQ(run.outcome.ending, Ending::end_time) << run.outcome.status.what;
+  const double bulk = young / (3.0 * (1.0 - 2.0 * poisson));
+  EXPECT_NEAR(area, (0.4 + 0.05) * 0.9, 1e-12);
+  EXPECT_GT(force, 4.0 * 0.1 * bulk * 0.05 * 0.4 * 0.9);
+}
+
 }  // namespace
 }  // namespace cleave::solver::test
