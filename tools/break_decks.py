@@ -94,6 +94,8 @@ FAMILIES = {
         **{f"contact_erode_{name}": [SPEED + (1.2,)] for name in METHODS},
         **{f"contact_erode_bars_{name}": [("EROSOP", "*CONTACT_ERODING_SURFACE_TO_SURFACE", 3, 1, "=0"),
                                           ("RO", "*MAT_ELASTIC#2", 0, DENSITY, 1.2)] for name in METHODS},
+        "contact_erode_bars_single": [("EROSOP", "*CONTACT_ERODING_SINGLE_SURFACE", 3, 1, "=0"),
+                                      ("RO", "*MAT_ELASTIC#2", 0, DENSITY, 1.2)],
         "contact_fast": [E_OF(1.2), ALONG],
         **{f"contact_fold_{name}": [("speed of one prong", "*INITIAL_VELOCITY", 1, 1, 1.2)] for name in METHODS},
         "contact_forming": [E_OF(1.2), ("way of the punch", "*BOUNDARY_PRESCRIBED_MOTION_SET", 0, 4, 1.2),

@@ -270,7 +270,7 @@ void Surface::erode(std::span<const model::Id> eroded) {
       if (here_[static_cast<std::size_t>(f)]) {
         here_[static_cast<std::size_t>(f)] = 0;
         gone.push_back(f);
-      } else if (twin >= 0 &&
+      } else if (twin >= 0 && !here_[static_cast<std::size_t>(twin)] &&
                  alive_[static_cast<std::size_t>(faces_[static_cast<std::size_t>(twin)].owner)]) {
         here_[static_cast<std::size_t>(twin)] = 1;
         bared.push_back(twin);

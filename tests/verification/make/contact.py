@@ -208,10 +208,10 @@ def erode(name):
     return deck
 
 
-def erode_bars(name):
+def erode_bars(name, single=False):
     """A bar crushes the weak layer on the end of another; the end that this bares takes the blow."""
     soft, end, layer = METHODS[name], 1.2e-3, 0.004
-    deck = start(f"contact_erode_bars_{name}", "Two equal bars collide behind a weak layer",
+    deck = start(f"contact_erode_bars_{'single' if single else name}", "Two equal bars collide behind a weak layer",
                  f"a bar meets the face of an equal bar that is bared when a weak layer is deleted, SOFT {soft}",
                  "closed form: full exchange of velocity, rho c v / 2 = 200 MPa, contact for 2 L / c = 400 us", end,
                  interval=1e-6)
@@ -222,7 +222,7 @@ def erode_bars(name):
     deck.says("expect", f"x_force contact=1 time=600e-6  -2.0e4  rel={rel} (order: 200 MPa on 1 cm2)")
     deck.says("expect", "energy_ratio range 0.0 abs=0.01 (order)")
     deck.says("expect", "summary eroded_elements  9  abs=0 (exact: the layer)")
-    deck.says("vary", "threads=1,3" + (" restart=no,401" if name == "segments" else ""))
+    deck.says("vary", "threads=1,3 restart=no,401")
     material(deck, 1, 8000.0, 200.0e9, 0.0)
     material(deck, 2, 8000.0, 200.0e9, 0.0)
     deck.card("MAT_PLASTIC_KINEMATIC", [3, 80.0, 2.0e9, 0.0, 1.0e6, 0.0, 1.0], [0.0, 0.0, 0.1, 0.0])
@@ -235,7 +235,10 @@ def erode_bars(name):
     mesh.elements = [(3 if first & set(nodes) else part, nodes) for part, nodes in mesh.elements]
     velocity(deck, mesh.members[1], (10.0, 0.0, 0.0))
     deck.card("SET_PART_LIST", [1], [2, 3])
-    contact(deck, "ERODING_SURFACE_TO_SURFACE", soft, a=1, b=1, types=(3, 2), damping=10.0 if name == "soft" else 0.0)
+    if single:
+        contact(deck, "ERODING_SINGLE_SURFACE", soft, a=0, b=0, types=(5, 0))
+    else:
+        contact(deck, "ERODING_SURFACE_TO_SURFACE", soft, a=1, b=1, types=(3, 2), damping=10.0 if name == "soft" else 0.0)
     deck.mesh(mesh)
     return deck
 
@@ -243,6 +246,7 @@ def erode_bars(name):
 for _name in METHODS:
     CASES["erode_" + _name] = lambda name=_name: erode(name)
     CASES["erode_bars_" + _name] = lambda name=_name: erode_bars(name)
+CASES["erode_bars_single"] = lambda: erode_bars("segments", True)
 
 
 # --- friction --------------------------------------------------------------------------------------------------
