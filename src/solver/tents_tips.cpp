@@ -182,6 +182,7 @@ std::vector<double> weights_of_constant(const std::vector<double>& r) {
   }
   const Matrix<3> solved = inverse<3>(normal);
   std::vector<double> weight;
+  weight.reserve(r.size());
   for (const double x : r) weight.push_back(dot(solved[0], terms(x)));
   return weight;
 }
@@ -243,6 +244,7 @@ CrackTips<D>::CrackTips(const model::Model& model, const Body<D>& body) {
       one.modulus[0] = one.modulus[1] = plane / 8.0;
       one.modulus[2] = mu / 4.0;
       std::vector<double> r;
+      r.reserve(sample_count);
       for (int k = 0; k < sample_count; ++k) r.push_back(near + (far - near) * (k + 0.5) / sample_count);
       const std::vector<double> weight = weights_of_constant(r);
       for (std::size_t k = 0; k < r.size(); ++k) {
