@@ -23,8 +23,12 @@ struct Requests {
   std::int64_t running_restart_cycles = 0;  ///< RUNRSF: the same file overwritten
   std::vector<Index> history_nodes;         ///< *DATABASE_HISTORY_NODE(_SET)
   std::vector<std::pair<Id, std::string>> history_node_titles;
-  std::vector<Id> history_solids, history_shells,
-      history_beams;  ///< element ids, *DATABASE_HISTORY_SOLID(_SET), _SHELL, _BEAM
+  /// Element ids, *DATABASE_HISTORY_SOLID(_SET), _SHELL, _BEAM.
+  std::vector<Id> history_solids, history_shells, history_beams;
+
+  bool any_element() const {
+    return !history_solids.empty() || !history_shells.empty() || !history_beams.empty();
+  }
 };
 
 }  // namespace cleave::model

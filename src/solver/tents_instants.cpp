@@ -37,9 +37,7 @@ std::vector<double> instants_of_energies(const model::Model& model, double end_t
 std::vector<double> output_instants(const model::Model& model, double end_time) {
   std::vector<double> all = instants_of_energies(model, end_time);
   add(model.requests.nodout, model, end_time, all);
-  const model::Requests& r = model.requests;
-  if (!r.history_solids.empty() || !r.history_shells.empty() || !r.history_beams.empty())
-    add(r.elout, model, end_time, all);
+  if (model.requests.any_element()) add(model.requests.elout, model, end_time, all);
   std::sort(all.begin(), all.end());
   std::vector<double> instants;
   for (const double t : all)

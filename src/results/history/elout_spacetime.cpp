@@ -52,10 +52,9 @@ class SpacetimeElout final : public History {
 };
 
 std::unique_ptr<Writer> build(const Context& context) {
-  const auto& r = context.model.requests;
-  if (discretisation::spacetime::dimension_of(context.model) == 0) return nullptr;
-  if (r.history_solids.empty() && r.history_shells.empty() && r.history_beams.empty()) return nullptr;
-  return history_writer<SpacetimeElout>(context, r.elout);
+  const model::Requests& requests = context.model.requests;
+  if (discretisation::spacetime::dimension_of(context.model) == 0 || !requests.any_element()) return nullptr;
+  return history_writer<SpacetimeElout>(context, requests.elout);
 }
 
 }  // namespace

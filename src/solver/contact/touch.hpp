@@ -71,18 +71,19 @@ inline double pressure_dot(const Touch& touch, std::span<const double> field) {
 /// whose area grows as it goes in.
 inline std::array<double, 8> half_rows(const Touch& touch) {
   constexpr double bent = 1.5;  // p = 4
-  std::array<double, 8> rows{};
+  std::array<double, 8> rows, force{};
   double all = 0.0;
   if (touch.faces && touch.energy > 0.0) {
-    for (int k = 0; k < 4; ++k) all += norm(touch.on_a[k]) + norm(touch.on_b[k]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      force[k] = norm(touch.on_a[k]);
+      force[4 + k] = norm(touch.on_b[k]);
+      all += force[k] + force[4 + k];
+    }
     all *= 0.25 * bent / touch.energy;
   }
   for (std::size_t k = 0; k < 4; ++k) {
-    rows[k] = touch.stiffness * std::abs(touch.wa[k]);
-    rows[4 + k] = touch.stiffness * std::abs(touch.wb[k]);
-    if (all == 0.0) continue;
-    rows[k] = std::max(rows[k], norm(touch.on_a[k]) * all);
-    rows[4 + k] = std::max(rows[4 + k], norm(touch.on_b[k]) * all);
+    rows[k] = std::max(touch.stiffness * std::abs(touch.wa[k]), force[k] * all);
+    rows[4 + k] = std::max(touch.stiffness * std::abs(touch.wb[k]), force[4 + k] * all);
   }
   return rows;
 }

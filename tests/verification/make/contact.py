@@ -84,6 +84,11 @@ def contact(deck, kind, soft, friction=0.0, damping=0.0, a=1, b=2, types=(3, 3),
 
 # --- D: two equal bars: they exchange their velocities ---------------------------------------------------------
 
+def velocities_exchanged(deck):
+    deck.says("expect", "x_rigid_body_velocity part=1  0.0  abs=0.1 (order: 1 % of the speed)")
+    deck.says("expect", "x_rigid_body_velocity part=2  10.0  abs=0.1 (order: 1 % of the speed)")
+
+
 def bars(name, damping=0.0):
     soft = METHODS[name]
     end = 600e-6
@@ -92,8 +97,7 @@ def bars(name, damping=0.0):
                  f"two equal elastic bars collide, SOFT {soft}{damped}",
                  "closed form: full exchange of velocity, rho c v / 2 = 200 MPa, contact for 2 L / c = 400 us", end,
                  interval=1e-6)
-    deck.says("expect", "x_rigid_body_velocity part=1  0.0  abs=0.1 (order: 1 % of the speed)")
-    deck.says("expect", "x_rigid_body_velocity part=2  10.0  abs=0.1 (order: 1 % of the speed)")
+    velocities_exchanged(deck)
     # The springs of SOFT 1 are about as stiff as the elements: the two end faces swing on them at a frequency above
     # the highest that the mesh carries away. A little damping ends that.
     rel, ends = {"nodes": (0.02, 460), "soft": (0.02 if damping else 0.25, 430), "segments": (0.02, 430)}[name]
@@ -215,8 +219,7 @@ def erode_bars(name, single=False):
                  f"a bar meets the face of an equal bar that is bared when a weak layer is deleted, SOFT {soft}",
                  "closed form: full exchange of velocity, rho c v / 2 = 200 MPa, contact for 2 L / c = 400 us", end,
                  interval=1e-6)
-    deck.says("expect", "x_rigid_body_velocity part=1  0.0  abs=0.1 (order: 1 % of the speed)")
-    deck.says("expect", "x_rigid_body_velocity part=2  10.0  abs=0.1 (order: 1 % of the speed)")
+    velocities_exchanged(deck)
     rel = {"nodes": 0.02, "soft": 0.05, "segments": 0.02}[name]
     # The layer is gone, and the gap closed, after 0.4 ms.
     deck.says("expect", f"x_force contact=1 time=600e-6  -2.0e4  rel={rel} (order: 200 MPa on 1 cm2)")
